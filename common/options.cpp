@@ -1,0 +1,125 @@
+#include "common/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <bit>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+#include "common/files.hpp"
+
+namespace {
+
+constexpr int largest_window = 16384;
+
+std::string parameters_help(snow::Weather preset)
+{
+    std::ostringstream text;
+    text << "Weather, for --set NAME=VALUE (value here: snow):\n";
+    for (const snow::Parameter& parameter : snow::weather_parameters()) {
+        text << "  " << parameter.name << std::string(14 - std::string(parameter.name).size(), ' ')
+             << parameter.value(preset) << " " << parameter.unit << ", " << parameter.meaning
+             << "\n";
+    }
+    return text.str();
+}
+
+// Changes the one parameter that `setting`, "name=value", names. Throws CLI::ValidationError.
+void apply_setting(const std::string& setting, snow::Weather& weather)
+{
+    const size_t equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    for (const snow::Parameter& parameter : snow::weather_parameters()) {
+        if (name != parameter.name) continue;
+        float value = 0;
+        const bool number =
+            equals != std::string::npos && CLI::detail::lexical_cast(setting.substr(equals + 1), value);
+        // Written this way round, the comparison turns NaN away too.
+        if (!number || !(value >= parameter.least && value <= parameter.most)) {
+            std::ostringstream range;
+            range << name << " takes " << parameter.least << " to " << parameter.most << " "
+                  << parameter.unit << ", not '" << setting << "'";
+            throw CLI::ValidationError("--set", range.str());
+        }
+        parameter.value(weather) = value;
+        return;
+    }
+    throw CLI::ValidationError("--set", "no parameter is called '" + name + "', see --help");
+}
+
+glm::ivec2 parse_size(const std::string& text)
+{
+    glm::ivec2 size{};
+    char x = 0, rest = 0;
+    std::istringstream in(text);
+    const bool well_formed = in >> size.x >> x >> size.y && x == 'x' && !(in >> rest);
+    if (!well_formed || size.x < 1 || size.y < 1 || size.x > largest_window || size.y > largest_window) {
+        throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT of 1 to 16384 pixels, not '" + text + "'");
+    }
+    return size;
+}
+
+}  // namespace
+
+Options parse_options(int argc, char** argv, Step step)
+{
+    Options options;
+    options.step = std::move(step);
+    options.variant = options.step.variants.front();
+    unsigned particles = 20000, seed = 1;
+    std::string preset = "snow", up = "y", size = "1280x720";
+    std::vector<std::string> settings;
+
+    CLI::App app(options.step.name + ": " + options.step.idea);
+    app.add_option("--particles", particles, "flakes in the pool (20000)")
+        ->check(CLI::Range(0u, snow::max_particles));
+    app.add_option("--variant", options.variant, "way of doing it (" + options.variant + ")")
+        ->check(CLI::IsMember(options.step.variants));
+    app.add_option("--weather", preset, "kind of weather (snow)")
+        ->check(CLI::IsMember({"snow", "rain", "hail"}));
+    app.add_option("--set", settings, "NAME=VALUE, one number of the weather (list below)")
+        ->allow_extra_args(false);
+    if (options.step.has_scene) {
+        app.add_option("--scene", options.scene, "OBJ file to snow on (the built-in courtyard)");
+        app.add_option("--up", up, "axis that points up in that file (y)")->check(CLI::IsMember({"y", "z"}));
+        app.add_option("--voxels", options.voxels, "voxels along the scene's longest axis (256)")
+            ->check([](const std::string& text) {
+                int n = 0;
+                const bool fits = CLI::detail::lexical_cast(text, n) && n >= 32 && n <= 1024;
+                return fits && std::has_single_bit(static_cast<unsigned>(n))
+                           ? std::string()
+                           : "takes a power of two from 32 (one word of bits) to 1024 (128 MiB), not " + text;
+            });
+    }
+    app.add_option("--seed", seed, "another seed, another snowfall (1)");
+    app.add_option("--size", size, "window, WIDTHxHEIGHT in pixels (1280x720)");
+    app.add_flag("--vsync", options.vsync, "wait for the display (off, so that times can be compared)");
+    app.add_option("--frames", options.frames, "stop after so many frames (run until closed)");
+    app.add_option("--warmup", options.warmup, "frames to run before the first that counts (0)");
+    app.add_flag("--realtime", options.realtime,
+                 "follow the clock even with --frames, --dump or --screenshot (one step a frame)");
+    app.add_option("--screenshot", options.screenshot, "write the last frame to this PNG file");
+    app.add_option("--dump", options.dump, "write all flakes to this CSV file after the last frame");
+    app.add_flag("--debug", options.debug, "OpenGL debug context, messages to stderr");
+    app.footer(parameters_help(snow::make_weather("snow", 0, 0)) +
+               "\nMouse: drag to orbit, wheel to zoom. C: camera back. S: screenshot. Escape: quit.\n");
+
+    try {
+        app.parse(argc, argv);
+        options.size = parse_size(size);
+        options.weather = snow::make_weather(preset, particles, seed);
+        for (const std::string& setting : settings) apply_setting(setting, options.weather);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        std::exit(0);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << options.step.name << ": " << error.what() << " (try --help)\n";
+        std::exit(2);
+    }
+    options.up = up.front();
+    if (!options.screenshot.empty()) check_writable(options.screenshot);
+    if (!options.dump.empty()) check_writable(options.dump);
+    // A file of the last frame needs a last frame.
+    if (!options.frames && (!options.screenshot.empty() || !options.dump.empty())) options.frames = 300;
+    return options;
+}

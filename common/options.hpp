@@ -1,0 +1,46 @@
+// The command line, the same for all six programs.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/snow.hpp"
+
+// What a step tells about itself.
+struct Step {
+    std::string name;                   // "step01_cpu_points"
+    std::string idea;                   // one sentence for --help
+    double least_gl;                    // OpenGL version, 3.3
+    std::vector<std::string> variants;  // the first is the default
+    bool has_scene = false;             // takes --scene, --voxels and --up
+    std::vector<const char*> extensions = {};  // needed besides the version
+};
+
+struct Options {
+    Step step;
+    std::string variant;
+    snow::Weather weather;           // with particles, seed and every --set already in it
+    std::filesystem::path scene;     // empty: the built-in courtyard
+    char up = 'y';                   // the axis that points up in the scene file
+    int voxels = 256;                // along the longest axis of the scene
+    glm::ivec2 size = {1280, 720};   // pixels
+    bool vsync = false;
+    std::optional<unsigned> frames;  // stop after so many
+    unsigned warmup = 0;             // frames before the first that counts
+    bool realtime = false;           // steps follow the clock even when --frames, --dump ... are given
+    std::filesystem::path screenshot, dump;
+    bool debug = false;
+
+    // One physics step a frame, so that a run can be repeated exactly?
+    bool reproducible() const
+    {
+        return !realtime && (frames || !screenshot.empty() || !dump.empty());
+    }
+};
+
+// Parses and checks the command line. --help ends the program with status 0, a line that makes no
+// sense with 2; what cannot be done (an output that cannot be written) throws std::runtime_error.
+Options parse_options(int argc, char** argv, Step step);

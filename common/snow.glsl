@@ -1,0 +1,193 @@
+// The physics of the snowfall, once for all six programs: every line here is both GLSL 3.30 and C++20
+// (under "using namespace glm"). Steps 1-3 compile it into their CPU loops through snow.hpp, steps 4-6
+// into their update shaders through #include. SI units: m, s, m/s, m/s2; y is up; the ground is y = 0.
+
+#ifdef __cplusplus
+#define INLINE inline         // a function in a C++ header needs the word; GLSL does not have it
+#define IN(type) const type&  // read where it stands; GLSL has no references
+#else
+#define INLINE
+#define IN(type) type
+#endif
+
+struct Particle {
+    vec3 position;  // m
+    float age;      // s since birth; negative while the flake waits for its first birth
+    vec3 velocity;  // m/s
+    float rest;     // s lying on a surface; 0 while airborne
+};
+
+struct Emitter {           // a cloud: a box in which flakes are born
+    vec3 centre;           // m
+    float terminal_speed;  // m/s at which drag balances gravity
+    vec3 half_size;        // m
+    float diameter;        // m, of a flake as it is drawn
+};
+
+// std140 and C++ lay this out alike because every vec3 is followed by one float.
+struct Weather {
+    vec3 gravity;      // m/s2
+    float turbulence;  // m/s2, largest random push along each axis
+    vec3 wind;         // m/s
+    float melt_time;   // s a flake lies on a surface before it is gone
+    vec3 world_min;    // m, corner of the box outside which a flake is lost
+    float time_step;   // s
+    vec3 world_max;    // m
+    float lifetime;    // s, mean
+    uint particles;    // flakes in the pool: the first half belongs to emitter 0, the rest to emitter 1
+    uint seed;
+    float variation;  // relative spread of speed, diameter and lifetime from flake to flake
+    float unused;     // fills the row of four
+    Emitter emitters[2];
+};
+
+// ---- Random numbers: a hash of who asks and when, so they need no state and agree on CPU and GPU.
+
+// Mixes all bits of x into all bits of the result (constants: Wellons' "hash prospector" search).
+INLINE uint hash(uint x)
+{
+    x = (x ^ (x >> 16u)) * 0x21f0aaadu;
+    x = (x ^ (x >> 15u)) * 0xd35a2d97u;
+    return x ^ (x >> 15u);
+}
+
+// 32 random bits for flake `index` at `step`; each use of randomness has a `stream` of its own.
+INLINE uint random_bits(uint index, uint step, uint stream, IN(Weather) weather)
+{
+    return hash(index ^ hash(step * 8u + stream + weather.seed * 0x9e3779b9u));
+}
+
+// Uniform in [0, 1): the upper 24 bits, as many as a float holds exactly.
+INLINE float random_unit(uint index, uint step, uint stream, IN(Weather) weather)
+{
+    return float(random_bits(index, step, stream, weather) >> 8u) * (1.0f / 16777216.0f);
+}
+
+// ---- What a flake is, all its life: functions of its index alone.
+
+// 1 give or take the variation; one number for speed, diameter and lifetime: large flakes fall faster.
+INLINE float individuality(uint index, IN(Weather) weather)
+{
+    return 1.0f + weather.variation * (2.0f * random_unit(index, 0u, 0u, weather) - 1.0f);
+}
+
+INLINE bool of_first_emitter(uint index, IN(Weather) weather)
+{
+    return index < weather.particles / 2u;
+}
+
+INLINE float terminal_speed(uint index, IN(Weather) weather)  // m/s
+{
+    float mean = of_first_emitter(index, weather) ? weather.emitters[0].terminal_speed
+                                                  : weather.emitters[1].terminal_speed;
+    return mean * individuality(index, weather);
+}
+
+INLINE float diameter(uint index, IN(Weather) weather)  // m
+{
+    float mean = of_first_emitter(index, weather) ? weather.emitters[0].diameter
+                                                  : weather.emitters[1].diameter;
+    return mean * individuality(index, weather);
+}
+
+// ---- Birth.
+
+// A flake at a random place in its cloud, drifting with the air. The cloud stands upwind by as far as
+// the wind carries its flakes while they fall, so that they come down on the scene in any wind.
+INLINE Particle born(uint index, uint step, IN(Weather) weather)
+{
+    bool first = of_first_emitter(index, weather);
+    vec3 centre = first ? weather.emitters[0].centre : weather.emitters[1].centre;
+    vec3 half_size = first ? weather.emitters[0].half_size : weather.emitters[1].half_size;
+    vec3 corner = vec3(random_unit(index, step, 1u, weather), random_unit(index, step, 2u, weather),
+                       random_unit(index, step, 3u, weather));
+    Particle p;
+    p.position = centre + half_size * (2.0f * corner - 1.0f);
+    vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
+    p.position = clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
+    p.age = 0.0f;
+    p.velocity = weather.wind;
+    p.rest = 0.0f;
+    return p;
+}
+
+// Before its first birth a flake waits, out of sight above the world, at a negative age: a random part
+// of one cycle of falling and lying. So births are spread evenly from the first second on, without the
+// burst and the gap that a common start gives (Patrick 2000, 4.2.2).
+INLINE Particle unborn(uint index, IN(Weather) weather)
+{
+    float height = of_first_emitter(index, weather) ? weather.emitters[0].centre.y
+                                                    : weather.emitters[1].centre.y;
+    float cycle = height / terminal_speed(index, weather) + weather.melt_time;
+    Particle p;
+    p.position = vec3(0.0f, weather.world_max.y + 1000.0f, 0.0f);
+    p.age = -cycle * random_unit(index, 0u, 4u, weather);
+    p.velocity = vec3(0.0f);
+    p.rest = 0.0f;
+    return p;
+}
+
+// ---- One step of the motion, in the order move, (collide,) accelerate, settle, gone -> born.
+
+INLINE bool airborne(Particle p)
+{
+    return p.age >= 0.0f && p.rest == 0.0f;
+}
+
+// Explicit Euler, first half: p' = p + dt v. What waits or lies has velocity zero.
+INLINE Particle move(Particle p, IN(Weather) weather)
+{
+    p.age += weather.time_step;
+    p.position += weather.time_step * p.velocity;
+    return p;
+}
+
+// Explicit Euler, second half: v' = v + dt (a + r). a is gravity less the drag of the air, quadratic in
+// the speed u relative to it and equal to gravity at terminal speed: a = g - |g| |u| u / terminal^2.
+// r is a random push that lasts 16 steps, the flutter of a flake.
+INLINE Particle accelerate(Particle p, uint index, uint step, IN(Weather) weather)
+{
+    float terminal = terminal_speed(index, weather);
+    vec3 u = p.velocity - weather.wind;
+    // No drag stops a flake in less than one step: beyond that limit Euler's method would overshoot
+    // and, in a strong gust, explode.
+    float drag = min(length(weather.gravity) * length(u) / (terminal * terminal),
+                     1.0f / weather.time_step);
+    uint bits = random_bits(index, step / 16u, 5u, weather);
+    vec3 push = vec3(float(bits & 1023u), float((bits >> 10u) & 1023u), float((bits >> 20u) & 1023u));
+    vec3 r = weather.turbulence * (push * (2.0f / 1023.0f) - 1.0f);
+    p.velocity += (airborne(p) ? weather.time_step : 0.0f) * (weather.gravity - drag * u + r);
+    return p;
+}
+
+// A flake that reaches the ground lies on it; one that lies grows older there.
+INLINE Particle settle(Particle p, IN(Weather) weather)
+{
+    bool on_ground = airborne(p) && p.position.y <= 0.0f;
+    p.rest = on_ground || p.rest > 0.0f ? p.rest + weather.time_step : 0.0f;
+    p.position.y = on_ground ? 0.0f : p.position.y;
+    p.velocity *= p.rest > 0.0f ? 0.0f : 1.0f;
+    return p;
+}
+
+// What is left of a flake's time to lie on a surface, s.
+INLINE float melt_left(Particle p, IN(Weather) weather)
+{
+    return weather.melt_time - p.rest;
+}
+
+// What is left of its lifetime (s) or of the way out of the world (m), whichever is less. A waiting
+// flake is outside the world.
+INLINE float life_left(Particle p, uint index, IN(Weather) weather)
+{
+    float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
+    float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
+    float z = min(p.position.z - weather.world_min.z, weather.world_max.z - p.position.z);
+    return min(weather.lifetime * individuality(index, weather) - p.age, min(x, min(y, z)));
+}
+
+INLINE bool gone(Particle p, uint index, IN(Weather) weather)
+{
+    float left = min(melt_left(p, weather), life_left(p, index, weather));
+    return (p.age >= 0.0f ? left : 0.0f) < 0.0f;
+}

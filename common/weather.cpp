@@ -1,0 +1,75 @@
+// The three presets, and the names under which their numbers can be changed.
+#include "common/snow.hpp"
+
+#include <stdexcept>
+
+namespace snow {
+
+std::span<const Parameter> weather_parameters()
+{
+    static const Parameter parameters[] = {
+        {"gravity", "m/s2", -30, -0.1f, "pull of the earth along y",
+         [](Weather& w) -> float& { return w.gravity.y; }},
+        {"turbulence", "m/s2", 0, 50, "largest random push on a flake, along each axis",
+         [](Weather& w) -> float& { return w.turbulence; }},
+        {"wind_x", "m/s", -30, 30, "wind towards +x", [](Weather& w) -> float& { return w.wind.x; }},
+        {"wind_z", "m/s", -30, 30, "wind towards +z", [](Weather& w) -> float& { return w.wind.z; }},
+        {"melt_time", "s", 0, 600, "time a flake lies on a surface",
+         [](Weather& w) -> float& { return w.melt_time; }},
+        {"lifetime", "s", 0.1f, 600, "mean time after which a flake is lost",
+         [](Weather& w) -> float& { return w.lifetime; }},
+        {"variation", "", 0, 0.9f, "relative spread of speed, size and lifetime",
+         [](Weather& w) -> float& { return w.variation; }},
+        {"speed_0", "m/s", 0.1f, 300, "mean terminal speed of emitter 0's flakes",
+         [](Weather& w) -> float& { return w.emitters[0].terminal_speed; }},
+        {"speed_1", "m/s", 0.1f, 300, "mean terminal speed of emitter 1's flakes",
+         [](Weather& w) -> float& { return w.emitters[1].terminal_speed; }},
+        {"diameter_0", "m", 0.001f, 1, "mean diameter of emitter 0's flakes as drawn",
+         [](Weather& w) -> float& { return w.emitters[0].diameter; }},
+        {"diameter_1", "m", 0.001f, 1, "mean diameter of emitter 1's flakes as drawn",
+         [](Weather& w) -> float& { return w.emitters[1].diameter; }},
+    };
+    return parameters;
+}
+
+Weather make_weather(const std::string& preset, uint particles, uint seed)
+{
+    Weather weather{};
+    weather.gravity = {0, -9.81f, 0};
+    weather.turbulence = 3;
+    weather.melt_time = 4;
+    weather.world_min = {-32, -1, -32};
+    weather.time_step = 1.0f / 60.0f;
+    weather.world_max = {32, 13, 32};
+    weather.lifetime = 40;
+    weather.particles = particles;
+    weather.seed = seed;
+    weather.variation = 0.15f;
+    // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the pool
+    // are in the air for the same time and release in equal share (pool = rate x flight time,
+    // Patrick 2000, 4.2.2.1). Snow falls at 1-2 m/s. Flakes are drawn some ten times too large, or
+    // they could not be seen (Patrick 2000, 3.1).
+    weather.emitters[0] = {{0, 8, 0}, 1.0f, {8, 0.5f, 8}, 0.03f};
+    weather.emitters[1] = {{0, 12, 0}, 1.5f, {8, 0.75f, 8}, 0.05f};
+    if (preset == "rain" || preset == "hail") {
+        const bool rain = preset == "rain";
+        weather.turbulence = rain ? 1.0f : 0.5f;
+        weather.melt_time = rain ? 0.2f : 6.0f;
+        weather.emitters[0].terminal_speed = rain ? 6.0f : 12.0f;
+        weather.emitters[1].terminal_speed = rain ? 9.0f : 18.0f;
+        weather.emitters[0].diameter = rain ? 0.015f : 0.02f;
+        weather.emitters[1].diameter = rain ? 0.02f : 0.03f;
+    } else if (preset != "snow") {
+        throw std::invalid_argument("no weather is called " + preset);
+    }
+    return weather;
+}
+
+std::vector<Particle> make_flakes(const Weather& weather)
+{
+    std::vector<Particle> flakes(weather.particles);
+    for (uint i = 0; i < weather.particles; ++i) flakes[i] = unborn(i, weather);
+    return flakes;
+}
+
+}  // namespace snow

@@ -1,0 +1,47 @@
+// The motion of all flakes on the CPU: one time step, in one loop over the array or in three.
+// Both give the same flakes to the last bit.
+#pragma once
+
+#include "common/snow.hpp"
+
+namespace snow {
+
+// Births are rare (one flake in some 700 a step) and branch, so they stay out of the loops that the
+// compiler vectorises: those only find out whether a block of flakes, still in the cache, has any.
+constexpr size_t block = 64;
+
+inline void give_birth(std::span<Particle> flakes, size_t begin, size_t end, uint step, const Weather& weather)
+{
+    int any = 0;
+    for (size_t i = begin; i < end; ++i) any |= gone(flakes[i], uint(i), weather);
+    if (!any) return;
+    for (size_t i = begin; i < end; ++i) {
+        if (gone(flakes[i], uint(i), weather)) flakes[i] = born(uint(i), step, weather);
+    }
+}
+
+// Everything that happens to a flake, then the next flake: each is loaded and stored once.
+inline void update_in_one_loop(std::span<Particle> flakes, uint step, const Weather& weather)
+{
+    for (size_t begin = 0; begin < flakes.size(); begin += block) {
+        const size_t end = min(begin + block, flakes.size());
+        for (size_t i = begin; i < end; ++i) {
+            flakes[i] = settle(accelerate(move(flakes[i], weather), uint(i), step, weather), weather);
+        }
+        give_birth(flakes, begin, end, step, weather);
+    }
+}
+
+// The same three stages, each for all flakes before the next begins: three trips through memory.
+inline void update_in_three_loops(std::span<Particle> flakes, uint step, const Weather& weather)
+{
+    for (Particle& flake : flakes) flake = move(flake, weather);
+    for (size_t i = 0; i < flakes.size(); ++i) flakes[i] = accelerate(flakes[i], uint(i), step, weather);
+    for (size_t begin = 0; begin < flakes.size(); begin += block) {
+        const size_t end = min(begin + block, flakes.size());
+        for (size_t i = begin; i < end; ++i) flakes[i] = settle(flakes[i], weather);
+        give_birth(flakes, begin, end, step, weather);
+    }
+}
+
+}  // namespace snow

@@ -1,0 +1,67 @@
+// Step 3: same as step 2, but shaders draw the flakes: a vertex shader makes each as large as it looks
+// from its distance, a fragment shader gives the square point its shape. The cost of beauty is paid per
+// pixel, on the GPU. New calls: glUseProgram, glVertexAttribPointer, glEnable(GL_PROGRAM_POINT_SIZE),
+// glBlendFunc, glTexImage2D.
+
+#include <GL/glew.h>
+
+#include "common/options.hpp"
+#include "common/output.hpp"
+#include "common/program.hpp"
+#include "common/texture.hpp"
+#include "common/window.hpp"
+#include "step01_cpu_points/update.hpp"
+#include "step02_vbo/stream_buffer.hpp"
+
+using namespace snow;
+
+int main(int argc, char** argv)
+try {
+    const Options options = parse_options(
+        argc, argv,
+        {.name = "step03_shader_points",
+         .idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance",
+         .least_gl = 3.3,
+         .variants = {"disc", "texture"}});
+    Window window(options);
+    const Weather& weather = options.weather;
+
+    std::vector<Particle> flakes = make_flakes(weather);
+    uint step = 0;
+    StreamBuffer buffer("orphan", flakes.size());
+
+    const GlObject weather_block = upload_weather(weather);
+    Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
+                   {GL_FRAGMENT_SHADER, "step03_shader_points/flake_" + options.variant + ".frag"}});
+    const GlObject crystals = load_texture("step03_shader_points/snowflakes.png");
+    const GlObject vao = make_vertex_array();
+    glBindVertexArray(vao);
+    glEnableVertexAttribArray(0);
+
+    glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
+    glEnable(GL_POINT_SPRITE);        // and gl_PointCoord with it
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glClearColor(0.10f, 0.08f, 0.14f, 1.0f);
+    while (window.begin_frame()) {
+        {  // update
+            for (int n = 0; n < window.steps(); ++n) update_in_one_loop(flakes, step++, weather);
+        }
+        {  // upload
+            buffer.upload(flakes);
+        }
+        {  // draw
+            flake.use();
+            flake.set("view", window.view());
+            flake.set("projection", window.projection());
+            flake.set("window_height", float(window.size().y));
+            glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Particle), nullptr);
+            glEnable(GL_BLEND);
+            glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
+            glDisable(GL_BLEND);
+        }
+    }
+    dump_flakes(options.dump, flakes);
+    return 0;
+} catch (const std::exception& failure) {
+    return report_failure(failure);
+}
