@@ -12,6 +12,7 @@
 #include "common/window.hpp"
 #include "step01_cpu_points/update.hpp"
 #include "step02_vbo/stream_buffer.hpp"
+#include "step03_shader_points/particle_layout.hpp"
 
 using namespace snow;
 
@@ -28,7 +29,7 @@ try {
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    StreamBuffer buffer("orphan", flakes.size());
+    StreamBuffer buffer("subdata", flakes.size());  // leaves the buffer bound
 
     const GlObject weather_block = upload_weather(weather);
     Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
@@ -36,28 +37,29 @@ try {
     const GlObject crystals = load_texture("step03_shader_points/snowflakes.png");
     const GlObject vao = make_vertex_array();
     glBindVertexArray(vao);
-    glEnableVertexAttribArray(0);
+    describe_particles();
 
     glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
     glEnable(GL_POINT_SPRITE);        // and gl_PointCoord with it
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(0.10f, 0.08f, 0.14f, 1.0f);
     while (window.begin_frame()) {
+        GLint first_flake = 0;
         {  // update
             for (int n = 0; n < window.steps(); ++n) update_in_one_loop(flakes, step++, weather);
         }
         {  // upload
-            buffer.upload(flakes);
+            first_flake = buffer.upload(flakes);
         }
         {  // draw
             flake.use();
             flake.set("view", window.view());
             flake.set("projection", window.projection());
             flake.set("window_height", float(window.size().y));
-            glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Particle), nullptr);
             glEnable(GL_BLEND);
-            glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
+            glDrawArrays(GL_POINTS, first_flake, GLsizei(flakes.size()));
             glDisable(GL_BLEND);
+            buffer.drawn();
         }
     }
     dump_flakes(options.dump, flakes);

@@ -1,0 +1,25 @@
+// What a vertex shader has to do to draw flake gl_VertexID as a point sprite.
+
+#include "common/snow.glsl"
+
+layout(std140) uniform WeatherBlock { Weather weather; };
+uniform mat4 view;
+uniform mat4 projection;
+uniform float window_height;  // pixels
+
+flat out uint index;  // of the flake: picks its crystal
+out float coverage;   // opacity of the sprite as a whole, 0 to 1
+
+// position: of the flake, m. rest: how long it has lain, s; it fades while it melts.
+void draw_sprite(vec3 position, float rest)
+{
+    const float least_pixels = 2.0;  // a narrower sprite would flicker as it moves from pixel to pixel
+    index = uint(gl_VertexID);
+    gl_Position = projection * view * vec4(position, 1.0);
+    // projection[1][1] is 1 / tan(half the field of view), gl_Position.w the distance along the view.
+    float pixels = window_height * 0.5 * projection[1][1] * diameter(index, weather) / gl_Position.w;
+    gl_PointSize = max(pixels, least_pixels);
+    // What would be smaller covers only a part of its sprite.
+    float part = min(pixels / least_pixels, 1.0);
+    coverage = part * part * (1.0 - clamp(rest / weather.melt_time, 0.0, 1.0));
+}
