@@ -191,3 +191,11 @@ INLINE bool gone(Particle p, uint index, IN(Weather) weather)
     float left = min(melt_left(p, weather), life_left(p, index, weather));
     return (p.age >= 0.0f ? left : 0.0f) < 0.0f;
 }
+
+// A whole step of a flake in the open.
+INLINE Particle advance(Particle p, uint index, uint step, IN(Weather) weather)
+{
+    p = settle(accelerate(move(p, weather), index, step, weather), weather);
+    if (gone(p, index, weather)) p = born(index, step, weather);
+    return p;
+}

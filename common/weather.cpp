@@ -49,8 +49,8 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     // are in the air for the same time and release in equal share (pool = rate x flight time,
     // Patrick 2000, 4.2.2.1). Snow falls at 1-2 m/s. Flakes are drawn some ten times too large, or
     // they could not be seen (Patrick 2000, 3.1).
-    weather.emitters[0] = {{0, 8, 0}, 1.0f, {8, 0.5f, 8}, 0.03f};
-    weather.emitters[1] = {{0, 12, 0}, 1.5f, {8, 0.75f, 8}, 0.05f};
+    weather.emitters[0] = {{0, 8, 0}, 1.0f, {8, 0.5f, 8}, 0.05f};
+    weather.emitters[1] = {{0, 12, 0}, 1.5f, {8, 0.75f, 8}, 0.08f};
     if (preset == "rain" || preset == "hail") {
         const bool rain = preset == "rain";
         weather.turbulence = rain ? 1.0f : 0.5f;

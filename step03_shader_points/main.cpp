@@ -44,12 +44,11 @@ try {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(0.10f, 0.08f, 0.14f, 1.0f);
     while (window.begin_frame()) {
-        GLint first_flake = 0;
         {  // update
             for (int n = 0; n < window.steps(); ++n) update_in_one_loop(flakes, step++, weather);
         }
         {  // upload
-            first_flake = buffer.upload(flakes);
+            buffer.upload(flakes);
         }
         {  // draw
             flake.use();
@@ -57,9 +56,8 @@ try {
             flake.set("projection", window.projection());
             flake.set("window_height", float(window.size().y));
             glEnable(GL_BLEND);
-            glDrawArrays(GL_POINTS, first_flake, GLsizei(flakes.size()));
+            glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
             glDisable(GL_BLEND);
-            buffer.drawn();
         }
     }
     dump_flakes(options.dump, flakes);

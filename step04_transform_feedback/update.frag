@@ -1,0 +1,23 @@
+#version 330 core
+// One step of one flake as a pixel: two textures hold the old state, two receive the new one.
+
+#include "common/snow.glsl"
+
+layout(std140) uniform WeatherBlock { Weather weather; };
+uniform uint step_number;
+uniform sampler2D position_age;   // xyz position, w age
+uniform sampler2D velocity_rest;  // xyz velocity, w rest
+
+layout(location = 0) out vec4 new_position_age;
+layout(location = 1) out vec4 new_velocity_rest;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uint index = uint(pixel.y * textureSize(position_age, 0).x + pixel.x);
+    vec4 motion = texelFetch(velocity_rest, pixel, 0);
+    vec4 place = texelFetch(position_age, pixel, 0);
+    Particle p = advance(Particle(place.xyz, place.w, motion.xyz, motion.w), index, step_number, weather);
+    new_position_age = vec4(p.position, p.age);
+    new_velocity_rest = vec4(p.velocity, p.rest);
+}
