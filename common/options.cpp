@@ -80,7 +80,7 @@ Options parse_options(int argc, char** argv, Step step)
     app.add_option("--set", settings, "NAME=VALUE, one number of the weather (list below)")
         ->allow_extra_args(false);
     if (options.step.has_scene) {
-        app.add_option("--scene", options.scene, "OBJ file to snow on (the built-in courtyard)");
+        app.add_option("--scene", options.scene, "OBJ file to snow on, or none (the built-in courtyard)");
         app.add_option("--up", up, "axis that points up in that file (y)")->check(CLI::IsMember({"y", "z"}));
         app.add_option("--voxels", options.voxels, "voxels along the scene's longest axis (256)")
             ->check([](const std::string& text) {
@@ -117,6 +117,9 @@ Options parse_options(int argc, char** argv, Step step)
         std::exit(2);
     }
     options.up = up.front();
+    if (options.step.has_scene && options.scene.empty()) {
+        options.scene = find_file("common/assets/courtyard.obj");
+    }
     if (!options.screenshot.empty()) check_writable(options.screenshot);
     if (!options.dump.empty()) check_writable(options.dump);
     // A file of the last frame needs a last frame.

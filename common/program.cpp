@@ -1,5 +1,6 @@
 #include "common/program.hpp"
 
+#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <iostream>
 #include <regex>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr GLuint weather_binding = 0;
 
-// The source with its includes in place. `files` collects their names: #line tells the compiler which
+// The source with its includes in place, each file once. `files` collects their names: #line tells the compiler which
 // one, by its number, a line is from.
 std::string assemble(const std::string& name, std::vector<std::string>& files)
 {
@@ -25,6 +26,10 @@ std::string assemble(const std::string& name, std::vector<std::string>& files)
         std::smatch match;
         if (!std::regex_match(line, match, include)) {
             assembled += line + "\n";
+            continue;
+        }
+        if (std::find(files.begin(), files.end(), match[1]) != files.end()) {
+            assembled += "\n";  // it is in already
             continue;
         }
         assembled += "#line 1 " + std::to_string(files.size()) + "\n" + assemble(match[1], files);

@@ -37,7 +37,7 @@ struct Weather {
     uint particles;    // flakes in the pool: the first half belongs to emitter 0, the rest to emitter 1
     uint seed;
     float variation;  // relative spread of speed, diameter and lifetime from flake to flake
-    float unused;     // fills the row of four
+    float snowfall;   // m of depth a minute that lie on open ground, where snow accumulates
     Emitter emitters[2];
 };
 
@@ -127,7 +127,7 @@ INLINE Particle unborn(uint index, IN(Weather) weather)
     return p;
 }
 
-// ---- One step of the motion, in the order move, (collide,) accelerate, settle, gone -> born.
+// ---- One step of the motion, in the order move, settle, (collide,) accelerate, gone -> born.
 
 INLINE bool airborne(Particle p)
 {
@@ -139,6 +139,16 @@ INLINE Particle move(Particle p, IN(Weather) weather)
 {
     p.age += weather.time_step;
     p.position += weather.time_step * p.velocity;
+    return p;
+}
+
+// A flake that reaches the ground lies on it; one that lies grows older there.
+INLINE Particle settle(Particle p, IN(Weather) weather)
+{
+    bool on_ground = airborne(p) && p.position.y <= 0.0f;
+    p.rest = on_ground || p.rest > 0.0f ? p.rest + weather.time_step : 0.0f;
+    p.position.y = on_ground ? 0.0f : p.position.y;
+    p.velocity *= p.rest > 0.0f ? 0.0f : 1.0f;
     return p;
 }
 
@@ -157,16 +167,6 @@ INLINE Particle accelerate(Particle p, uint index, uint step, IN(Weather) weathe
     vec3 push = vec3(float(bits & 1023u), float((bits >> 10u) & 1023u), float((bits >> 20u) & 1023u));
     vec3 r = weather.turbulence * (push * (2.0f / 1023.0f) - 1.0f);
     p.velocity += (airborne(p) ? weather.time_step : 0.0f) * (weather.gravity - drag * u + r);
-    return p;
-}
-
-// A flake that reaches the ground lies on it; one that lies grows older there.
-INLINE Particle settle(Particle p, IN(Weather) weather)
-{
-    bool on_ground = airborne(p) && p.position.y <= 0.0f;
-    p.rest = on_ground || p.rest > 0.0f ? p.rest + weather.time_step : 0.0f;
-    p.position.y = on_ground ? 0.0f : p.position.y;
-    p.velocity *= p.rest > 0.0f ? 0.0f : 1.0f;
     return p;
 }
 
@@ -195,7 +195,7 @@ INLINE bool gone(Particle p, uint index, IN(Weather) weather)
 // A whole step of a flake in the open.
 INLINE Particle advance(Particle p, uint index, uint step, IN(Weather) weather)
 {
-    p = settle(accelerate(move(p, weather), index, step, weather), weather);
+    p = accelerate(settle(move(p, weather), weather), index, step, weather);
     if (gone(p, index, weather)) p = born(index, step, weather);
     return p;
 }

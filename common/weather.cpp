@@ -20,6 +20,8 @@ std::span<const Parameter> weather_parameters()
          [](Weather& w) -> float& { return w.lifetime; }},
         {"variation", "", 0, 0.9f, "relative spread of speed, size and lifetime",
          [](Weather& w) -> float& { return w.variation; }},
+        {"snowfall", "m/min", 0, 10, "depth that comes to lie on open ground (step 6)",
+         [](Weather& w) -> float& { return w.snowfall; }},
         {"speed_0", "m/s", 0.1f, 300, "mean terminal speed of emitter 0's flakes",
          [](Weather& w) -> float& { return w.emitters[0].terminal_speed; }},
         {"speed_1", "m/s", 0.1f, 300, "mean terminal speed of emitter 1's flakes",
@@ -45,6 +47,7 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.particles = particles;
     weather.seed = seed;
     weather.variation = 0.15f;
+    weather.snowfall = 0.1f;  // a blizzard, so that there is something to see within a minute
     // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the pool
     // are in the air for the same time and release in equal share (pool = rate x flight time,
     // Patrick 2000, 4.2.2.1). Snow falls at 1-2 m/s. Flakes are drawn some ten times too large, or
@@ -53,6 +56,7 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.emitters[1] = {{0, 12, 0}, 1.5f, {8, 0.75f, 8}, 0.08f};
     if (preset == "rain" || preset == "hail") {
         const bool rain = preset == "rain";
+        weather.snowfall = rain ? 0.0f : 0.05f;
         weather.turbulence = rain ? 1.0f : 0.5f;
         weather.melt_time = rain ? 0.2f : 6.0f;
         weather.emitters[0].terminal_speed = rain ? 6.0f : 12.0f;

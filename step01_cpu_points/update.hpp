@@ -26,21 +26,19 @@ inline void update_in_one_loop(std::span<Particle> flakes, uint step, const Weat
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
         const size_t end = min(begin + block, flakes.size());
         for (size_t i = begin; i < end; ++i) {
-            flakes[i] = settle(accelerate(move(flakes[i], weather), uint(i), step, weather), weather);
+            flakes[i] = accelerate(settle(move(flakes[i], weather), weather), uint(i), step, weather);
         }
         give_birth(flakes, begin, end, step, weather);
     }
 }
 
-// The same three stages, each for all flakes before the next begins: three trips through memory.
+// The same in three trips through memory: all positions, then all velocities, then all births.
 inline void update_in_three_loops(std::span<Particle> flakes, uint step, const Weather& weather)
 {
-    for (Particle& flake : flakes) flake = move(flake, weather);
+    for (Particle& flake : flakes) flake = settle(move(flake, weather), weather);
     for (size_t i = 0; i < flakes.size(); ++i) flakes[i] = accelerate(flakes[i], uint(i), step, weather);
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
-        const size_t end = min(begin + block, flakes.size());
-        for (size_t i = begin; i < end; ++i) flakes[i] = settle(flakes[i], weather);
-        give_birth(flakes, begin, end, step, weather);
+        give_birth(flakes, begin, min(begin + block, flakes.size()), step, weather);
     }
 }
 

@@ -15,7 +15,12 @@ void draw_sprite(vec3 position, float rest)
 {
     const float least_pixels = 2.0;  // a narrower sprite would flicker as it moves from pixel to pixel
     index = uint(gl_VertexID);
-    gl_Position = projection * view * vec4(position, 1.0);
+    vec4 place = view * vec4(position, 1.0);
+    gl_Position = projection * place;
+    // The sprite stands upright in its flake's depth, so a floor would cut off its lower half: draw it as
+    // deep as the nearest point of the flake.
+    vec4 nearest = projection * (place + vec4(0.0, 0.0, diameter(index, weather), 0.0));
+    gl_Position.z = nearest.z / nearest.w * gl_Position.w;
     // projection[1][1] is 1 / tan(half the field of view), gl_Position.w the distance along the view.
     float pixels = window_height * 0.5 * projection[1][1] * diameter(index, weather) / gl_Position.w;
     gl_PointSize = max(pixels, least_pixels);

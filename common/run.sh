@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+#
+# Installs what is missing, builds what has changed and runs one step. See usage below.
+
+set -euo pipefail
+
+root=$(dirname "$(dirname "$(readlink -f -- "$0")")")
+# shellcheck source=common/install.sh disable=SC1091
+source "$root/common/install.sh"
+
+# Every step's folder has the name of its program.
+steps=()
+for folder in "$root"/step[0-9][0-9]_*/; do
+    steps+=("$(basename "$folder")")
+done
+
+usage()
+{
+    cat <<END
+Usage: common/run.sh [step] [options]
+
+Builds Snowfall and runs one of its steps, or the last one.
+
+  step      1 to ${#steps[@]}, or a name:
+$(printf '                %s\n' "${steps[@]}")
+            or 'compare', to run all of them against each other
+  options   are passed on; 'common/run.sh 6 --help' lists those of step 6
+
+Without a display the program draws 900 frames in memory and saves the last as a picture.
+END
+}
+
+# What to run: the first argument, unless it is an option already.
+target=${steps[-1]}
+if (($# > 0)) && [[ $1 != -* ]]; then
+    target=
+    for step in "${steps[@]}"; do
+        number=${step:4:2}
+        # A trailing slash comes from completing the folder's name in the shell.
+        case ${1%/} in
+            "$step" | "step$number" | "step${number#0}" | "$number" | "${number#0}") target=$step ;;
+            compare) target=compare ;;
+        esac
+    done
+    if [[ -z $target ]]; then
+        say "There is no step '$1', only: 1 to ${#steps[@]} (${steps[*]}) and compare."
+        exit 2
+    fi
+    shift
+elif [[ ${1:-} == -h || ${1:-} == --help ]]; then
+    usage
+    exit
+fi
+
+# freeglut draws on X11, so DISPLAY tells, on a Wayland desktop too (there Xwayland sets it).
+headless=false
+if [[ -z ${DISPLAY:-} ]]; then
+    headless=true
+fi
+
+groups=(build)
+if $headless; then groups+=(headless); fi
+if [[ $target == compare ]]; then groups+=(compare); fi
+install_missing "${groups[@]}"
+
+say "Building in $root/build ..."
+quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release
+quietly cmake --build "$root/build" --parallel "$(nproc)"
+
+if [[ $target == compare ]]; then
+    command=(python3 "$root/common/compare.py" "$@")
+else
+    command=("$root/build/$target" "$@")
+fi
+
+if ! $headless; then
+    exec "${command[@]}"
+fi
+
+# Nobody can see the window or close it, so stop after a while and leave a picture, unless the
+# options already say what is to come of it.
+picture=
+if [[ $target != compare ]]; then
+    picture=$PWD/snowfall_${target%%_*}.png
+    for option in "$@"; do
+        case $option in
+            --frames* | --benchmark* | --screenshot* | --dump* | --help* | -h) picture= ;;
+        esac
+    done
+fi
+if [[ -n $picture ]]; then
+    command+=(--frames 900 --screenshot "$picture")
+    say "There is no display: drawing 900 frames in memory ..."
+fi
+
+status=0
+xvfb-run -a -s "-screen 0 1280x720x24" "${command[@]}" || status=$?
+if ((status == 0)) && [[ -n $picture ]]; then
+    say "The last frame is in $picture"
+fi
+exit "$status"

@@ -1,0 +1,162 @@
+#include "common/scene.hpp"
+
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/files.hpp"
+
+namespace {
+
+using glm::vec3;
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason)
+{
+    throw std::runtime_error("cannot use scene " + path.string() + ": " + reason);
+}
+
+// What tinyobjloader lets pass in silence: a vertex of fewer than three finite numbers, which it reads
+// as zeros, and a face of fewer than three corners, which it drops.
+void check_lines(const std::filesystem::path& path, const std::string& text)
+{
+    if (text.find('\0') != std::string::npos) refuse(path, "not a text file");
+    std::istringstream lines(text);
+    std::string line, keyword, word;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        if (line.compare(0, 2, "v ") != 0 && line.compare(0, 2, "f ") != 0) continue;
+        std::istringstream words(line);
+        words >> keyword;
+        int count = 0;
+        while (words >> word) {
+            if (keyword == "v" && count < 3) {
+                char* end = nullptr;
+                const float value = std::strtof(word.c_str(), &end);
+                if (*end != '\0' || !std::isfinite(value)) {
+                    refuse(path, "line " + std::to_string(number) + ": '" + word + "' is no coordinate");
+                }
+            }
+            ++count;
+        }
+        if (count < 3) {
+            refuse(path, "line " + std::to_string(number) + ": " + std::to_string(count) +
+                             (keyword == "v" ? " coordinates" : " corners") + ", at least 3 are needed");
+        }
+    }
+}
+
+// Moves and scales the scene into its box. Returns the factor.
+float fit(const std::filesystem::path& path, std::vector<Vertex>& vertices)
+{
+    const vec3 room(16, 6, 16);  // m
+    vec3 least = vertices.front().position, most = least;
+    for (const Vertex& vertex : vertices) {
+        least = glm::min(least, vertex.position);
+        most = glm::max(most, vertex.position);
+    }
+    const vec3 size = most - least;
+    if (std::max({size.x, size.y, size.z}) == 0) refuse(path, "all its vertices are one point");
+    float factor = INFINITY;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (size[axis] > 0) factor = std::min(factor, room[axis] / size[axis]);
+    }
+    const vec3 foot(0.5f * (least.x + most.x), least.y, 0.5f * (least.z + most.z));
+    for (Vertex& vertex : vertices) vertex.position = factor * (vertex.position - foot);
+    return factor;
+}
+
+void compute_normals(std::vector<Vertex>& vertices)
+{
+    std::map<std::array<float, 3>, float> upward;
+    const auto key = [](vec3 p) { return std::array{p.x, p.y, p.z}; };
+    for (size_t i = 0; i < vertices.size(); i += 3) {
+        const vec3 a = vertices[i].position, b = vertices[i + 1].position, c = vertices[i + 2].position;
+        const vec3 across = glm::cross(b - a, c - a);
+        const float length = glm::length(across);
+        const vec3 normal = length > 0 ? across / length : vec3(0, 1, 0);
+        for (size_t corner = i; corner < i + 3; ++corner) {
+            vertices[corner].normal = normal;
+            float& most = upward.try_emplace(key(vertices[corner].position), normal.y).first->second;
+            most = std::max(most, normal.y);
+        }
+    }
+    for (Vertex& vertex : vertices) vertex.upward = upward.at(key(vertex.position));
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, char up)
+{
+    if (path == "none") return {};
+    const std::string text = read_file(path);
+    check_lines(path, text);
+
+    std::istringstream lines(text);
+    tinyobj::MaterialFileReader materials_reader(path.parent_path().string() + "/");
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    std::string warning, error;
+    constexpr bool triangulate = true;
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &lines, &materials_reader,
+                          triangulate)) {
+        refuse(path, error.substr(0, error.find('\n')));
+    }
+
+    Scene scene;
+    for (const tinyobj::shape_t& shape : shapes) {
+        for (size_t corner = 0; corner < shape.mesh.indices.size(); ++corner) {
+            const int index = shape.mesh.indices[corner].vertex_index;
+            if (index < 0 || 3 * size_t(index) + 2 >= attributes.vertices.size()) {
+                refuse(path, "a face names vertex " + std::to_string(index + 1) + " of " +
+                                 std::to_string(attributes.vertices.size() / 3));
+            }
+            const float* xyz = &attributes.vertices[3 * size_t(index)];
+            Vertex vertex{};
+            vertex.position = up == 'z' ? vec3(xyz[0], xyz[2], -xyz[1]) : vec3(xyz[0], xyz[1], xyz[2]);
+            const int material = shape.mesh.material_ids[corner / 3];
+            vertex.colour = vec3(0.5f);
+            if (material >= 0) {
+                const tinyobj::real_t* diffuse = materials[size_t(material)].diffuse;
+                vertex.colour = {diffuse[0], diffuse[1], diffuse[2]};
+            }
+            scene.vertices.push_back(vertex);
+        }
+    }
+    if (scene.vertices.empty()) refuse(path, "it has no faces (is it a Wavefront OBJ file?)");
+    const float factor = fit(path, scene.vertices);
+    compute_normals(scene.vertices);
+    std::cout << "scene " << path.filename().string() << ": " << scene.vertices.size() / 3
+              << " triangles, scaled by " << factor << std::endl;
+    return scene;
+}
+
+SceneMesh::SceneMesh(const Scene& scene)
+    : buffer_(make_buffer()), vao_(make_vertex_array()), count_(GLsizei(scene.vertices.size()))
+{
+    glBindVertexArray(vao_);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(scene.vertices.size() * sizeof(Vertex)), scene.vertices.data(),
+                 GL_STATIC_DRAW);
+    const auto field = [](GLuint location, GLint floats, size_t offset) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(offset));
+    };
+    field(0, 3, offsetof(Vertex, position));
+    field(1, 3, offsetof(Vertex, normal));
+    field(2, 3, offsetof(Vertex, colour));
+    field(3, 1, offsetof(Vertex, upward));
+}
+
+void SceneMesh::draw() const
+{
+    glBindVertexArray(vao_);
+    glDrawArrays(GL_TRIANGLES, 0, count_);
+}

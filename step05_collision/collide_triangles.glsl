@@ -1,0 +1,58 @@
+// Collision against every triangle of the scene, one after the other: exact, simple, and as slow as the
+// scene is large. Kept for the comparison with voxels ("Simulating Snowfall and Accumulation Through the
+// GPU", 3.2.3, tests all triangles for each flake).
+
+#include "common/snow.glsl"
+
+uniform samplerBuffer triangles;  // three texels each: the corners, m
+uniform int triangle_count;
+
+// Where the way from `from` along `way` meets a triangle: the part of the way, or 2 if it does not
+// (Moller and Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", 1997).
+float meet(vec3 from, vec3 way, vec3 a, vec3 b, vec3 c)
+{
+    vec3 across = cross(way, c - a);
+    float determinant = dot(b - a, across);
+    if (abs(determinant) < 1e-12) return 2.0;  // the way runs along the triangle
+    vec3 s = from - a;
+    float u = dot(s, across) / determinant;
+    vec3 q = cross(s, b - a);
+    float v = dot(way, q) / determinant;
+    if (u < 0.0 || v < 0.0 || u + v > 1.0) return 2.0;
+    float part = dot(c - a, q) / determinant;
+    return part >= 0.0 && part <= 1.0 ? part : 2.0;
+}
+
+Particle collide(vec3 from, Particle p, float time_step)
+{
+    const float gap = 0.0005;  // m, kept from a surface so that the next step starts outside of it
+    for (int slides = 0; slides < 3; ++slides) {
+        vec3 way = p.position - from;
+        float nearest = 2.0;
+        vec3 normal = vec3(0.0);
+        for (int i = 0; i < triangle_count; ++i) {
+            vec3 a = texelFetch(triangles, 3 * i).xyz;
+            vec3 b = texelFetch(triangles, 3 * i + 1).xyz;
+            vec3 c = texelFetch(triangles, 3 * i + 2).xyz;
+            float part = meet(from, way, a, b, c);
+            if (part < nearest) {
+                nearest = part;
+                normal = normalize(cross(b - a, c - a));
+            }
+        }
+        if (nearest > 1.0) return p;
+        if (dot(normal, way) > 0.0) normal = -normal;  // towards where the flake came from
+        from += nearest * way + gap * normal;
+        if (normal.y > 0.1) {  // anything but a wall or a ceiling
+            p.position = from;
+            p.velocity = vec3(0.0);
+            p.rest = time_step;
+            return p;
+        }
+        vec3 rest_of_way = p.position - from;
+        p.position = from + rest_of_way - normal * dot(rest_of_way, normal);
+        p.velocity -= normal * dot(p.velocity, normal);
+    }
+    p.position = from;
+    return p;
+}

@@ -1,0 +1,20 @@
+// One step of one flake, as in step 4, with the scene in its way. What happens to it is counted.
+// Whoever includes this has defined collide(from, p, time_step): what becomes of a flake p that has just
+// moved in a straight line from `from`.
+
+#include "step04_transform_feedback/flake_state.glsl"
+#include "step05_collision/ledger.glsl"
+
+void main()
+{
+    uint index = uint(gl_VertexID);
+    Particle p = settle(move(load_flake(), weather), weather);
+    if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather.time_step);
+    p = accelerate(p, index, step_number, weather);
+    if (gone(p, index, weather)) {
+        if (old_age >= 0.0) count_end(melt_left(p, weather) < 0.0);
+        p = born(index, step_number, weather);
+        count_release();
+    }
+    store_flake(p);
+}

@@ -1,0 +1,6 @@
+#version 330 core
+#extension GL_ARB_shader_atomic_counters : require
+// The variant "triangles".
+
+#include "step05_collision/collide_triangles.glsl"
+#include "step05_collision/update.glsl"

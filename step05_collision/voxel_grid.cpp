@@ -1,0 +1,132 @@
+#include "step05_collision/voxel_grid.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "step05_collision/triangle_box.hpp"
+
+namespace {
+
+using glm::ivec3;
+using glm::vec3;
+
+class Octree {
+public:
+    Octree(const Scene& scene, VoxelGrid& grid) : vertices_(scene.vertices), grid_(grid)
+    {
+        std::vector<uint32_t> all(vertices_.size() / 3);
+        std::iota(all.begin(), all.end(), 0);
+        divide(ivec3(0), grid.resolution, all);
+        if (reported_) std::cerr << "\rvoxelising 100 %\n";
+    }
+
+private:
+    // triangles: those that touch the cube of `size` voxels at `corner`.
+    void divide(ivec3 corner, int size, const std::vector<uint32_t>& triangles)
+    {
+        if (triangles.empty()) return;
+        if (size == 1) {
+            const size_t row = size_t(corner.z) * size_t(grid_.resolution) + size_t(corner.y);
+            grid_.words[row * size_t(grid_.resolution / 32) + size_t(corner.x / 32)] |= 1u << (corner.x % 32);
+            return;
+        }
+        const int half = size / 2;
+        std::vector<uint32_t> inside;
+        for (int child = 0; child < 8; ++child) {
+            const ivec3 child_corner = corner + half * ivec3(child & 1, (child >> 1) & 1, child >> 2);
+            // A cube larger than a voxel is taken a hair too large, so that rounding cannot hide from it
+            // a triangle that touches one of its voxels.
+            const float margin = half > 1 ? 1.0001f : 1.0f;
+            const vec3 half_size(0.5f * float(half) * grid_.cell_size);
+            const vec3 centre = grid_.origin + grid_.cell_size * vec3(child_corner) + half_size;
+            inside.clear();
+            for (const uint32_t triangle : triangles) {
+                const Vertex* corners = &vertices_[3 * size_t(triangle)];
+                if (!triangle_touches_box(corners[0].position, corners[1].position, corners[2].position, centre,
+                                          margin * half_size)) {
+                    continue;
+                }
+                inside.push_back(triangle);
+                if (half == 1) break;  // one is enough for a voxel
+            }
+            divide(child_corner, half, inside);
+        }
+        if (size == 8) report(corner);
+    }
+
+    // Children come in order of x, then y, then z, so each eighth of the work is one eighth of space.
+    void report(ivec3 corner)
+    {
+        using namespace std::chrono;
+        if (steady_clock::now() - last_report_ < milliseconds(500)) return;
+        last_report_ = steady_clock::now();
+        reported_ = true;
+        double done = 0;
+        for (int half = grid_.resolution / 2, eighth = 1; half >= 8; half /= 2, ++eighth) {
+            const ivec3 bit = (corner / half) % 2;
+            done += (bit.x + 2 * bit.y + 4 * bit.z) * std::pow(0.125, eighth);
+        }
+        std::cerr << "\rvoxelising " << int(100 * done) << " %" << std::flush;
+    }
+
+    const std::vector<Vertex>& vertices_;
+    VoxelGrid& grid_;
+    std::chrono::steady_clock::time_point last_report_ = std::chrono::steady_clock::now();
+    bool reported_ = false;
+};
+
+}  // namespace
+
+bool VoxelGrid::solid(ivec3 cell) const
+{
+    if (glm::any(glm::lessThan(cell, ivec3(0))) || glm::any(glm::greaterThanEqual(cell, ivec3(resolution)))) {
+        return false;
+    }
+    const size_t row = size_t(cell.z) * size_t(resolution) + size_t(cell.y);
+    return (words[row * size_t(resolution / 32) + size_t(cell.x / 32)] >> (cell.x % 32)) & 1u;
+}
+
+VoxelGrid voxelise(const Scene& scene, int resolution)
+{
+    vec3 least(-8, 0, -8), most(8, 6, 8);  // m, for the empty scene
+    if (!scene.vertices.empty()) least = most = scene.vertices.front().position;
+    for (const Vertex& vertex : scene.vertices) {
+        least = glm::min(least, vertex.position);
+        most = glm::max(most, vertex.position);
+    }
+    const vec3 size = most - least;
+    VoxelGrid grid{};
+    grid.resolution = resolution;
+    // One voxel of air on each side.
+    grid.cell_size = std::max({size.x, size.y, size.z}) / float(resolution - 2);
+    grid.origin = 0.5f * (least + most) - 0.5f * float(resolution) * grid.cell_size;
+    // A floor at y = 0 is the upper side of the lowest voxels, so that flakes lie on it, not above it.
+    grid.origin.y = -0.999f * grid.cell_size;
+    grid.words.resize(size_t(resolution) * size_t(resolution) * size_t(resolution) / 32);
+    Octree(scene, grid);
+    std::cout << "voxels: " << resolution << "^3 of " << grid.cell_size << " m in " << 4 * grid.words.size()
+              << " bytes" << std::endl;
+    return grid;
+}
+
+GlObject upload_voxels(const VoxelGrid& grid)
+{
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+    if (grid.resolution > largest) {
+        throw std::runtime_error("--voxels " + std::to_string(grid.resolution) +
+                                 ": this card's 3D textures end at " + std::to_string(largest));
+    }
+    GlObject texture = make_texture();
+    glBindTexture(GL_TEXTURE_3D, texture);
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_R32UI, grid.resolution / 32, grid.resolution, grid.resolution, 0,
+                 GL_RED_INTEGER, GL_UNSIGNED_INT, grid.words.data());
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}

@@ -1,0 +1,50 @@
+#version 430 core
+// Lifts a point of the scene by the snow that lies on it.
+
+#include "step06_accumulation/snow_cover.glsl"
+
+uniform mat4 view;
+uniform mat4 projection;
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 colour;
+layout(location = 3) in float upward;  // is there a surface here that snow can lie on?
+
+out vec3 world_position;  // m, on top of the snow
+out vec3 world_normal;    // of the surface without snow
+out vec3 base_colour;
+out float snow_depth;     // m
+
+// Depth of the snow, m, in the column of `cell`, on the first surface at or above that cell.
+float column_depth(ivec3 cell)
+{
+    for (int climb = 0; climb < 3 && in_scene(cell); ++climb) cell.y += 1;
+    float cells = 0.0;
+    for (int layer = 0; layer < 64; ++layer) {
+        float filled = float(mass_in(cell)) / float(full_cell);
+        if (filled == 0.0) break;
+        cells += filled;
+        cell.y += 1;
+    }
+    return cells * cell_size;
+}
+
+// The same at a point, blended between the four nearest columns.
+float depth_at(vec3 point)
+{
+    vec3 place = (point - grid_origin) / cell_size - vec3(0.5, 0.0, 0.5);  // 0.5: a column's middle
+    ivec3 cell = ivec3(floor(place));
+    vec2 part = fract(place.xz);
+    return mix(mix(column_depth(cell), column_depth(cell + ivec3(1, 0, 0)), part.x),
+               mix(column_depth(cell + ivec3(0, 0, 1)), column_depth(cell + ivec3(1, 0, 1)), part.x), part.y);
+}
+
+void main()
+{
+    snow_depth = upward > 0.1 ? depth_at(position) : 0.0;
+    world_position = position + vec3(0.0, snow_depth, 0.0);
+    world_normal = normal;
+    base_colour = colour;
+    gl_Position = projection * view * vec4(world_position, 1.0);
+}
