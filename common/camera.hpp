@@ -29,5 +29,8 @@ struct Camera {
         azimuth -= pixels.x * 0.0087f;
         elevation = std::clamp(elevation + pixels.y * 0.0087f, -0.05f, 1.5f);
     }
-    void zoom(float notches) { distance = std::clamp(distance * std::pow(0.9f, notches), 0.5f, 80.0f); }
+    void zoom(float notches)
+    {
+        distance = std::clamp(distance * std::pow(0.9f, notches), 0.5f, 80.0f);
+    }
 };

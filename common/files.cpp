@@ -54,7 +54,8 @@ fs::path find_file(const std::string& name)
 
 std::string read_file(const fs::path& path)
 {
-    if (fs::is_directory(path)) throw std::runtime_error("cannot read " + path.string() + ": a folder");
+    if (fs::is_directory(path))
+        throw std::runtime_error("cannot read " + path.string() + ": a folder");
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     if (file) text << file.rdbuf();

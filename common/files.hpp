@@ -5,15 +5,16 @@
 #include <string>
 #include <string_view>
 
-// The path of `name`, given relative to the source tree ("step03_shader_points/flake.vert"), wherever
-// the program was started from. Looks in $SNOWFALL_DIR, the source folder compiled in, and the
-// executable's folder. Throws std::runtime_error listing every path tried.
+// The path of `name`, given relative to the source tree ("step03_shader_points/flake.vert"),
+// wherever the program was started from. Looks in $SNOWFALL_DIR, the source folder compiled in, and
+// the executable's folder. Throws std::runtime_error listing every path tried.
 std::filesystem::path find_file(const std::string& name);
 
 // The whole file. Throws std::runtime_error naming it.
 std::string read_file(const std::filesystem::path& path);
 
-// Throws std::runtime_error unless `path` can be written: asked at the start, not after the last frame.
+// Throws std::runtime_error unless `path` can be written: asked at the start, not after the last
+// frame.
 void check_writable(const std::filesystem::path& path);
 
 // Writes the file whole or not at all: beside it first, then renamed. Throws std::runtime_error.

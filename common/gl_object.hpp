@@ -1,5 +1,5 @@
-// A handle that owns one OpenGL object: moved, not copied, and deleted with its scope. Declare handles
-// after the Window, so that they go while its context still stands.
+// A handle that owns one OpenGL object: moved, not copied, and deleted with its scope. Declare
+// handles after the Window, so that they go while its context still stands.
 #pragma once
 
 #include <GL/glew.h>

@@ -32,8 +32,8 @@ void apply_setting(const std::string& setting, snow::Weather& weather)
     for (const snow::Parameter& parameter : snow::weather_parameters()) {
         if (name != parameter.name) continue;
         float value = 0;
-        const bool number =
-            equals != std::string::npos && CLI::detail::lexical_cast(setting.substr(equals + 1), value);
+        const bool number = equals != std::string::npos &&
+                            CLI::detail::lexical_cast(setting.substr(equals + 1), value);
         // Written this way round, the comparison turns NaN away too.
         if (!number || !(value >= parameter.least && value <= parameter.most)) {
             std::ostringstream range;
@@ -53,8 +53,10 @@ glm::ivec2 parse_size(const std::string& text)
     char x = 0, rest = 0;
     std::istringstream in(text);
     const bool well_formed = in >> size.x >> x >> size.y && x == 'x' && !(in >> rest);
-    if (!well_formed || size.x < 1 || size.y < 1 || size.x > largest_window || size.y > largest_window) {
-        throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT of 1 to 16384 pixels, not '" + text + "'");
+    if (!well_formed || size.x < 1 || size.y < 1 || size.x > largest_window ||
+        size.y > largest_window) {
+        throw CLI::ValidationError("--size",
+                                   "takes WIDTHxHEIGHT of 1 to 16384 pixels, not '" + text + "'");
     }
     return size;
 }
@@ -80,29 +82,36 @@ Options parse_options(int argc, char** argv, Step step)
     app.add_option("--set", settings, "NAME=VALUE, one number of the weather (list below)")
         ->allow_extra_args(false);
     if (options.step.has_scene) {
-        app.add_option("--scene", options.scene, "OBJ file to snow on, or none (the built-in courtyard)");
-        app.add_option("--up", up, "axis that points up in that file (y)")->check(CLI::IsMember({"y", "z"}));
+        app.add_option("--scene", options.scene,
+                       "OBJ file to snow on, or none (the built-in courtyard)");
+        app.add_option("--up", up, "axis that points up in that file (y)")
+            ->check(CLI::IsMember({"y", "z"}));
         app.add_option("--voxels", options.voxels, "voxels along the scene's longest axis (256)")
             ->check([](const std::string& text) {
                 int n = 0;
                 const bool fits = CLI::detail::lexical_cast(text, n) && n >= 32 && n <= 1024;
                 return fits && std::has_single_bit(static_cast<unsigned>(n))
                            ? std::string()
-                           : "takes a power of two from 32 (one word of bits) to 1024 (128 MiB), not " + text;
+                           : "takes a power of two from 32 (one word of bits) to 1024 (128 MiB), "
+                             "not " +
+                                 text;
             });
     }
     app.add_option("--seed", seed, "another seed, another snowfall (1)");
     app.add_option("--size", size, "window, WIDTHxHEIGHT in pixels (1280x720)");
-    app.add_flag("--vsync", options.vsync, "wait for the display (off, so that times can be compared)");
+    app.add_flag("--vsync", options.vsync,
+                 "wait for the display (off, so that times can be compared)");
     app.add_option("--frames", options.frames, "stop after so many frames (run until closed)");
     app.add_option("--warmup", options.warmup, "frames to run before the first that counts (0)");
     app.add_flag("--realtime", options.realtime,
                  "follow the clock even with --frames, --dump or --screenshot (one step a frame)");
     app.add_option("--screenshot", options.screenshot, "write the last frame to this PNG file");
-    app.add_option("--dump", options.dump, "write all flakes to this CSV file after the last frame");
+    app.add_option("--dump", options.dump,
+                   "write all flakes to this CSV file after the last frame");
     app.add_flag("--debug", options.debug, "OpenGL debug context, messages to stderr");
-    app.footer(parameters_help(snow::make_weather("snow", 0, 0)) +
-               "\nMouse: drag to orbit, wheel to zoom. C: camera back. S: screenshot. Escape: quit.\n");
+    app.footer(
+        parameters_help(snow::make_weather("snow", 0, 0)) +
+        "\nMouse: drag to orbit, wheel to zoom. C: camera back. S: screenshot. Escape: quit.\n");
 
     try {
         app.parse(argc, argv);
@@ -123,6 +132,7 @@ Options parse_options(int argc, char** argv, Step step)
     if (!options.screenshot.empty()) check_writable(options.screenshot);
     if (!options.dump.empty()) check_writable(options.dump);
     // A file of the last frame needs a last frame.
-    if (!options.frames && (!options.screenshot.empty() || !options.dump.empty())) options.frames = 300;
+    if (!options.frames && (!options.screenshot.empty() || !options.dump.empty()))
+        options.frames = 300;
     return options;
 }

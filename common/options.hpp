@@ -11,26 +11,26 @@
 
 // What a step tells about itself.
 struct Step {
-    std::string name;                   // "step01_cpu_points"
-    std::string idea;                   // one sentence for --help
-    double least_gl;                    // OpenGL version, 3.3
-    std::vector<std::string> variants;  // the first is the default
-    bool has_scene = false;             // takes --scene, --voxels and --up
+    std::string name;                          // "step01_cpu_points"
+    std::string idea;                          // one sentence for --help
+    double least_gl;                           // OpenGL version, 3.3
+    std::vector<std::string> variants;         // the first is the default
+    bool has_scene = false;                    // takes --scene, --voxels and --up
     std::vector<const char*> extensions = {};  // needed besides the version
 };
 
 struct Options {
     Step step;
     std::string variant;
-    snow::Weather weather;           // with particles, seed and every --set already in it
-    std::filesystem::path scene;     // where has_scene: the courtyard unless given
-    char up = 'y';                   // the axis that points up in the scene file
-    int voxels = 256;                // along the longest axis of the scene
-    glm::ivec2 size = {1280, 720};   // pixels
+    snow::Weather weather;          // with particles, seed and every --set already in it
+    std::filesystem::path scene;    // where has_scene: the courtyard unless given
+    char up = 'y';                  // the axis that points up in the scene file
+    int voxels = 256;               // along the longest axis of the scene
+    glm::ivec2 size = {1280, 720};  // pixels
     bool vsync = false;
     std::optional<unsigned> frames;  // stop after so many
     unsigned warmup = 0;             // frames before the first that counts
-    bool realtime = false;           // steps follow the clock even when --frames, --dump ... are given
+    bool realtime = false;  // steps follow the clock even when --frames, --dump ... are given
     std::filesystem::path screenshot, dump;
     bool debug = false;
 

@@ -33,8 +33,9 @@ void dump_flakes(const std::filesystem::path& path, std::span<const snow::Partic
     char line[256];
     for (size_t i = 0; i < flakes.size(); ++i) {
         const snow::Particle& p = flakes[i];
-        std::snprintf(line, sizeof line, "%zu,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", i, p.position.x,
-                      p.position.y, p.position.z, p.age, p.velocity.x, p.velocity.y, p.velocity.z, p.rest);
+        std::snprintf(line, sizeof line, "%zu,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", i,
+                      p.position.x, p.position.y, p.position.z, p.age, p.velocity.x, p.velocity.y,
+                      p.velocity.z, p.rest);
         csv += line;
     }
     write_file(path, csv);

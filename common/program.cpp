@@ -13,8 +13,8 @@ namespace {
 
 constexpr GLuint weather_binding = 0;
 
-// The source with its includes in place, each file once. `files` collects their names: #line tells the compiler which
-// one, by its number, a line is from.
+// The source with its includes in place, each file once. `files` collects their names: #line tells
+// the compiler which one, by its number, a line is from.
 std::string assemble(const std::string& name, std::vector<std::string>& files)
 {
     const size_t number = files.size();
@@ -68,7 +68,8 @@ GlObject compile(const Stage& stage)
         std::string log(10000, '\0');
         GLsizei length = 0;
         glGetShaderInfoLog(shader, GLsizei(log.size()), &length, log.data());
-        throw std::runtime_error("shader does not compile: " + first_error(log.substr(0, size_t(length)), files));
+        throw std::runtime_error("shader does not compile: " +
+                                 first_error(log.substr(0, size_t(length)), files));
     }
     return shader;
 }
@@ -84,7 +85,8 @@ Program::Program(const std::vector<Stage>& stages, const std::vector<const char*
         files_ += (files_.empty() ? "" : " + ") + stage.file;
     }
     if (!varyings.empty()) {
-        glTransformFeedbackVaryings(id_, GLsizei(varyings.size()), varyings.data(), GL_INTERLEAVED_ATTRIBS);
+        glTransformFeedbackVaryings(id_, GLsizei(varyings.size()), varyings.data(),
+                                    GL_INTERLEAVED_ATTRIBS);
     }
     glLinkProgram(id_);
     GLint linked = 0;
@@ -94,7 +96,8 @@ Program::Program(const std::vector<Stage>& stages, const std::vector<const char*
         GLsizei length = 0;
         glGetProgramInfoLog(id_, GLsizei(log.size()), &length, log.data());
         log.resize(size_t(length));
-        throw std::runtime_error("shaders do not link: " + files_ + ": " + log.substr(0, log.find('\n')));
+        throw std::runtime_error("shaders do not link: " + files_ + ": " +
+                                 log.substr(0, log.find('\n')));
     }
     const GLuint block = glGetUniformBlockIndex(id_, "WeatherBlock");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(id_, block, weather_binding);
@@ -109,9 +112,18 @@ GLint Program::location(const char* name)
     return location;
 }
 
-void Program::set(const char* name, int value) { glUniform1i(location(name), value); }
-void Program::set(const char* name, unsigned value) { glUniform1ui(location(name), value); }
-void Program::set(const char* name, float value) { glUniform1f(location(name), value); }
+void Program::set(const char* name, int value)
+{
+    glUniform1i(location(name), value);
+}
+void Program::set(const char* name, unsigned value)
+{
+    glUniform1ui(location(name), value);
+}
+void Program::set(const char* name, float value)
+{
+    glUniform1f(location(name), value);
+}
 void Program::set(const char* name, glm::ivec2 value)
 {
     glUniform2iv(location(name), 1, glm::value_ptr(value));

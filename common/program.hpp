@@ -18,15 +18,16 @@ struct Stage {
 
 class Program {
 public:
-    // Compiles and links. A line `#include "folder/file.glsl"` is replaced by that file. `varyings` are
-    // the outputs that transform feedback captures, interleaved. Throws std::runtime_error with file,
-    // line and the compiler's message.
-    explicit Program(const std::vector<Stage>& stages, const std::vector<const char*>& varyings = {});
+    // Compiles and links. A line `#include "folder/file.glsl"` is replaced by that file. `varyings`
+    // are the outputs that transform feedback captures, interleaved. Throws std::runtime_error with
+    // file, line and the compiler's message.
+    explicit Program(const std::vector<Stage>& stages,
+                     const std::vector<const char*>& varyings = {});
 
     void use() const { glUseProgram(id_); }
 
-    // Set a uniform of this program, which must be in use. A name that the program does not have (any
-    // more: compilers drop unused ones) is reported once on stderr.
+    // Set a uniform of this program, which must be in use. A name that the program does not have
+    // (any more: compilers drop unused ones) is reported once on stderr.
     void set(const char* name, int value);
     void set(const char* name, unsigned value);
     void set(const char* name, float value);

@@ -22,8 +22,8 @@ using glm::vec3;
     throw std::runtime_error("cannot use scene " + path.string() + ": " + reason);
 }
 
-// What tinyobjloader lets pass in silence: a vertex of fewer than three finite numbers, which it reads
-// as zeros, and a face of fewer than three corners, which it drops.
+// What tinyobjloader lets pass in silence: a vertex of fewer than three finite numbers, which it
+// reads as zeros, and a face of fewer than three corners, which it drops.
 void check_lines(const std::filesystem::path& path, const std::string& text)
 {
     if (text.find('\0') != std::string::npos) refuse(path, "not a text file");
@@ -39,14 +39,16 @@ void check_lines(const std::filesystem::path& path, const std::string& text)
                 char* end = nullptr;
                 const float value = std::strtof(word.c_str(), &end);
                 if (*end != '\0' || !std::isfinite(value)) {
-                    refuse(path, "line " + std::to_string(number) + ": '" + word + "' is no coordinate");
+                    refuse(path,
+                           "line " + std::to_string(number) + ": '" + word + "' is no coordinate");
                 }
             }
             ++count;
         }
         if (count < 3) {
             refuse(path, "line " + std::to_string(number) + ": " + std::to_string(count) +
-                             (keyword == "v" ? " coordinates" : " corners") + ", at least 3 are needed");
+                             (keyword == "v" ? " coordinates" : " corners") +
+                             ", at least 3 are needed");
         }
     }
 }
@@ -76,13 +78,15 @@ void compute_normals(std::vector<Vertex>& vertices)
     std::map<std::array<float, 3>, float> upward;
     const auto key = [](vec3 p) { return std::array{p.x, p.y, p.z}; };
     for (size_t i = 0; i < vertices.size(); i += 3) {
-        const vec3 a = vertices[i].position, b = vertices[i + 1].position, c = vertices[i + 2].position;
+        const vec3 a = vertices[i].position, b = vertices[i + 1].position,
+                   c = vertices[i + 2].position;
         const vec3 across = glm::cross(b - a, c - a);
         const float length = glm::length(across);
         const vec3 normal = length > 0 ? across / length : vec3(0, 1, 0);
         for (size_t corner = i; corner < i + 3; ++corner) {
             vertices[corner].normal = normal;
-            float& most = upward.try_emplace(key(vertices[corner].position), normal.y).first->second;
+            float& most =
+                upward.try_emplace(key(vertices[corner].position), normal.y).first->second;
             most = std::max(most, normal.y);
         }
     }
@@ -104,8 +108,8 @@ Scene load_scene(const std::filesystem::path& path, char up)
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
     constexpr bool triangulate = true;
-    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &lines, &materials_reader,
-                          triangulate)) {
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &lines,
+                          &materials_reader, triangulate)) {
         refuse(path, error.substr(0, error.find('\n')));
     }
 
@@ -119,7 +123,8 @@ Scene load_scene(const std::filesystem::path& path, char up)
             }
             const float* xyz = &attributes.vertices[3 * size_t(index)];
             Vertex vertex{};
-            vertex.position = up == 'z' ? vec3(xyz[0], xyz[2], -xyz[1]) : vec3(xyz[0], xyz[1], xyz[2]);
+            vertex.position =
+                up == 'z' ? vec3(xyz[0], xyz[2], -xyz[1]) : vec3(xyz[0], xyz[1], xyz[2]);
             const int material = shape.mesh.material_ids[corner / 3];
             vertex.colour = vec3(0.5f);
             if (material >= 0) {
@@ -142,8 +147,8 @@ SceneMesh::SceneMesh(const Scene& scene)
 {
     glBindVertexArray(vao_);
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(scene.vertices.size() * sizeof(Vertex)), scene.vertices.data(),
-                 GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(scene.vertices.size() * sizeof(Vertex)),
+                 scene.vertices.data(), GL_STATIC_DRAW);
     const auto field = [](GLuint location, GLint floats, size_t offset) {
         glEnableVertexAttribArray(location);
         glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex),

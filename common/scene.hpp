@@ -11,17 +11,18 @@ struct Vertex {
     glm::vec3 position;  // m, world space
     glm::vec3 normal;    // of its triangle
     glm::vec3 colour;    // diffuse, linear
-    float upward;        // largest normal.y of all triangles that meet here: snow lifts what is above 0
+    float upward;  // largest normal.y of all triangles that meet here: snow lifts what is above 0
 };
 
 struct Scene {
     std::vector<Vertex> vertices;  // three in a row make a triangle, counter-clockwise from outside
 };
 
-// Reads `path` and scales the scene to fit a box 16 m wide and deep and 6 m high, below the clouds; its
-// floor comes to lie on y = 0 and its middle on the y axis. Says by what factor. `up` is the axis, 'y' or
-// 'z', that points up in the file. Polygons with more than three corners are divided; what has no
-// material is grey. The path "none" is the empty scene. Throws std::runtime_error naming file and line.
+// Reads `path` and scales the scene to fit a box 16 m wide and deep and 6 m high, below the clouds;
+// its floor comes to lie on y = 0 and its middle on the y axis. Says by what factor. `up` is the
+// axis, 'y' or 'z', that points up in the file. Polygons with more than three corners are divided;
+// what has no material is grey. The path "none" is the empty scene. Throws std::runtime_error
+// naming file and line.
 Scene load_scene(const std::filesystem::path& path, char up);
 
 // The triangles of a scene on the GPU: attributes 0 to 3 are the fields of Vertex.

@@ -1,6 +1,7 @@
-// The physics of the snowfall, once for all six programs: every line here is both GLSL 3.30 and C++20
-// (under "using namespace glm"). Steps 1-3 compile it into their CPU loops through snow.hpp, steps 4-6
-// into their update shaders through #include. SI units: m, s, m/s, m/s2; y is up; the ground is y = 0.
+// The physics of the snowfall, once for all six programs: every line here is both GLSL 3.30 and
+// C++20 (under "using namespace glm"). Steps 1-3 compile it into their CPU loops through snow.hpp,
+// steps 4-6 into their update shaders through #include. SI units: m, s, m/s, m/s2; y is up; the
+// ground is y = 0.
 
 #ifdef __cplusplus
 #define INLINE inline         // a function in a C++ header needs the word; GLSL does not have it
@@ -34,7 +35,8 @@ struct Weather {
     float time_step;   // s
     vec3 world_max;    // m
     float lifetime;    // s, mean
-    uint particles;    // flakes in the pool: the first half belongs to emitter 0, the rest to emitter 1
+    uint particles;  // flakes in the pool: the first half belongs to emitter 0, the rest to emitter
+                     // 1
     uint seed;
     float variation;  // relative spread of speed, diameter and lifetime from flake to flake
     float snowfall;   // m of depth a minute that lie on open ground, where snow accumulates
@@ -65,7 +67,8 @@ INLINE float random_unit(uint index, uint step, uint stream, IN(Weather) weather
 
 // ---- What a flake is, all its life: functions of its index alone.
 
-// 1 give or take the variation; one number for speed, diameter and lifetime: large flakes fall faster.
+// 1 give or take the variation; one number for speed, diameter and lifetime: large flakes fall
+// faster.
 INLINE float individuality(uint index, IN(Weather) weather)
 {
     return 1.0f + weather.variation * (2.0f * random_unit(index, 0u, 0u, weather) - 1.0f);
@@ -92,8 +95,8 @@ INLINE float diameter(uint index, IN(Weather) weather)  // m
 
 // ---- Birth.
 
-// A flake at a random place in its cloud, drifting with the air. The cloud stands upwind by as far as
-// the wind carries its flakes while they fall, so that they come down on the scene in any wind.
+// A flake at a random place in its cloud, drifting with the air. The cloud stands upwind by as far
+// as the wind carries its flakes while they fall, so that they come down on the scene in any wind.
 INLINE Particle born(uint index, uint step, IN(Weather) weather)
 {
     bool first = of_first_emitter(index, weather);
@@ -104,16 +107,17 @@ INLINE Particle born(uint index, uint step, IN(Weather) weather)
     Particle p;
     p.position = centre + half_size * (2.0f * corner - 1.0f);
     vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
-    p.position = clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
+    p.position =
+        clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
     p.age = 0.0f;
     p.velocity = weather.wind;
     p.rest = 0.0f;
     return p;
 }
 
-// Before its first birth a flake waits, out of sight above the world, at a negative age: a random part
-// of one cycle of falling and lying. So births are spread evenly from the first second on, without the
-// burst and the gap that a common start gives (Patrick 2000, 4.2.2).
+// Before its first birth a flake waits, out of sight above the world, at a negative age: a random
+// part of one cycle of falling and lying. So births are spread evenly from the first second on,
+// without the burst and the gap that a common start gives (Patrick 2000, 4.2.2).
 INLINE Particle unborn(uint index, IN(Weather) weather)
 {
     float height = of_first_emitter(index, weather) ? weather.emitters[0].centre.y
@@ -152,19 +156,20 @@ INLINE Particle settle(Particle p, IN(Weather) weather)
     return p;
 }
 
-// Explicit Euler, second half: v' = v + dt (a + r). a is gravity less the drag of the air, quadratic in
-// the speed u relative to it and equal to gravity at terminal speed: a = g - |g| |u| u / terminal^2.
-// r is a random push that lasts 16 steps, the flutter of a flake.
+// Explicit Euler, second half: v' = v + dt (a + r). a is gravity less the drag of the air,
+// quadratic in the speed u relative to it and equal to gravity at terminal speed: a = g - |g| |u| u
+// / terminal^2. r is a random push that lasts 16 steps, the flutter of a flake.
 INLINE Particle accelerate(Particle p, uint index, uint step, IN(Weather) weather)
 {
     float terminal = terminal_speed(index, weather);
     vec3 u = p.velocity - weather.wind;
     // No drag stops a flake in less than one step: beyond that limit Euler's method would overshoot
     // and, in a strong gust, explode.
-    float drag = min(length(weather.gravity) * length(u) / (terminal * terminal),
-                     1.0f / weather.time_step);
+    float drag =
+        min(length(weather.gravity) * length(u) / (terminal * terminal), 1.0f / weather.time_step);
     uint bits = random_bits(index, step / 16u, 5u, weather);
-    vec3 push = vec3(float(bits & 1023u), float((bits >> 10u) & 1023u), float((bits >> 20u) & 1023u));
+    vec3 push =
+        vec3(float(bits & 1023u), float((bits >> 10u) & 1023u), float((bits >> 20u) & 1023u));
     vec3 r = weather.turbulence * (push * (2.0f / 1023.0f) - 1.0f);
     p.velocity += (airborne(p) ? weather.time_step : 0.0f) * (weather.gravity - drag * u + r);
     return p;

@@ -12,8 +12,10 @@ std::span<const Parameter> weather_parameters()
          [](Weather& w) -> float& { return w.gravity.y; }},
         {"turbulence", "m/s2", 0, 50, "largest random push on a flake, along each axis",
          [](Weather& w) -> float& { return w.turbulence; }},
-        {"wind_x", "m/s", -30, 30, "wind towards +x", [](Weather& w) -> float& { return w.wind.x; }},
-        {"wind_z", "m/s", -30, 30, "wind towards +z", [](Weather& w) -> float& { return w.wind.z; }},
+        {"wind_x", "m/s", -30, 30, "wind towards +x",
+         [](Weather& w) -> float& { return w.wind.x; }},
+        {"wind_z", "m/s", -30, 30, "wind towards +z",
+         [](Weather& w) -> float& { return w.wind.z; }},
         {"melt_time", "s", 0, 600, "time a flake lies on a surface",
          [](Weather& w) -> float& { return w.melt_time; }},
         {"lifetime", "s", 0.1f, 600, "mean time after which a flake is lost",
@@ -48,8 +50,8 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.seed = seed;
     weather.variation = 0.15f;
     weather.snowfall = 0.1f;  // a blizzard, so that there is something to see within a minute
-    // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the pool
-    // are in the air for the same time and release in equal share (pool = rate x flight time,
+    // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the
+    // pool are in the air for the same time and release in equal share (pool = rate x flight time,
     // Patrick 2000, 4.2.2.1). Snow falls at 1-2 m/s. Flakes are drawn some ten times too large, or
     // they could not be seen (Patrick 2000, 3.1).
     weather.emitters[0] = {{0, 8, 0}, 1.0f, {8, 0.5f, 8}, 0.05f};

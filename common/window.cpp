@@ -28,18 +28,20 @@ void on_glut_error(const char* format, va_list arguments)
 {
     std::fputs("error: ", stderr);
     std::vfprintf(stderr, format, arguments);
-    std::fputs(" (is DISPLAY set to a running X server? `xvfb-run` provides one without a screen)\n", stderr);
+    std::fputs(
+        " (is DISPLAY set to a running X server? `xvfb-run` provides one without a screen)\n",
+        stderr);
     std::_Exit(1);
 }
 
 void on_glut_warning(const char*, va_list) {}
 
-void GLAPIENTRY on_gl_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message,
-                              const void*)
+void GLAPIENTRY on_gl_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei,
+                              const GLchar* message, const void*)
 {
     if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
-    std::cerr << "OpenGL" << (severity == GL_DEBUG_SEVERITY_HIGH ? " (high severity): " : ": ") << message
-              << "\n";
+    std::cerr << "OpenGL" << (severity == GL_DEBUG_SEVERITY_HIGH ? " (high severity): " : ": ")
+              << message << "\n";
 }
 
 }  // namespace
@@ -70,7 +72,8 @@ Window::Window(const Options& options) : options_(options), size_(options.size)
     }
     check_gl();
     if (options.debug) {
-        if (!GLEW_KHR_debug) throw std::runtime_error("--debug needs GL_KHR_debug, which this OpenGL lacks");
+        if (!GLEW_KHR_debug)
+            throw std::runtime_error("--debug needs GL_KHR_debug, which this OpenGL lacks");
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(on_gl_message, nullptr);
@@ -94,18 +97,21 @@ Window::Window(const Options& options) : options_(options), size_(options.size)
 
 Window::~Window()
 {
-    glutExit();  // at once; glutDestroyWindow would only queue it for a main loop that no longer runs
+    glutExit();  // at once; glutDestroyWindow would only queue it for a main loop that no longer
+                 // runs
     the_window = nullptr;
 }
 
 void Window::check_gl() const
 {
     const std::string version = gl_string(GL_VERSION);
-    const double have = std::strtod(version.c_str(), nullptr);  // "4.5 (Compatibility Profile) Mesa ..."
+    const double have =
+        std::strtod(version.c_str(), nullptr);  // "4.5 (Compatibility Profile) Mesa ..."
     if (have < options_.step.least_gl - 0.01) {
         char line[128];
-        std::snprintf(line, sizeof line, "%s needs OpenGL %.1f, this is %.1f (%s): try an earlier step",
-                      options_.step.name.c_str(), options_.step.least_gl, have, gl_string(GL_RENDERER));
+        std::snprintf(
+            line, sizeof line, "%s needs OpenGL %.1f, this is %.1f (%s): try an earlier step",
+            options_.step.name.c_str(), options_.step.least_gl, have, gl_string(GL_RENDERER));
         throw std::runtime_error(line);
     }
     for (const char* extension : options_.step.extensions) {
@@ -120,12 +126,14 @@ void Window::announce() const
 {
     const std::string renderer = gl_string(GL_RENDERER);
     std::cout << options_.step.name << " " << options_.variant << ": " << renderer << ", OpenGL "
-              << gl_string(GL_VERSION) << ", " << options_.weather.particles << " flakes, " << size_.x << "x"
-              << size_.y << ", vsync " << (options_.vsync ? "on" : "off") << std::endl;
+              << gl_string(GL_VERSION) << ", " << options_.weather.particles << " flakes, "
+              << size_.x << "x" << size_.y << ", vsync " << (options_.vsync ? "on" : "off")
+              << std::endl;
     for (const char* software : {"llvmpipe", "softpipe", "swrast", "SWR"}) {
         if (renderer.find(software) == std::string::npos) continue;
-        std::cout << "warning: OpenGL runs in software here: times say nothing about a graphics card"
-                  << std::endl;
+        std::cout
+            << "warning: OpenGL runs in software here: times say nothing about a graphics card"
+            << std::endl;
     }
 }
 
@@ -171,8 +179,9 @@ void Window::show_frame_time()
     if (seconds < 0.5) return;
     const unsigned frames = drawn_ - drawn_at_last_title_;
     char title[128];
-    std::snprintf(title, sizeof title, "%s %s   %.2f ms a frame, %.0f fps", options_.step.name.c_str(),
-                  options_.variant.c_str(), 1000 * seconds / frames, frames / seconds);
+    std::snprintf(title, sizeof title, "%s %s   %.2f ms a frame, %.0f fps",
+                  options_.step.name.c_str(), options_.variant.c_str(), 1000 * seconds / frames,
+                  frames / seconds);
     glutSetWindowTitle(title);
     last_title_ = now;
     drawn_at_last_title_ = drawn_;
@@ -183,7 +192,8 @@ void Window::on_key(unsigned char key, int, int)
     constexpr unsigned char escape = 27;
     if (key == escape) the_window->closing_ = true;
     if (key == 'c' || key == 'C') the_window->camera_ = Camera{};
-    if (key == 's' || key == 'S') save_screenshot(the_window->options_.step.name + ".png", the_window->size_);
+    if (key == 's' || key == 'S')
+        save_screenshot(the_window->options_.step.name + ".png", the_window->size_);
 }
 
 void Window::on_button(int button, int state, int x, int y)

@@ -12,8 +12,8 @@
 
 class Window {
 public:
-    // Opens it with an OpenGL context and reports both in one line. Throws std::runtime_error if there
-    // is no display, or OpenGL lacks the version or an extension that the step needs.
+    // Opens it with an OpenGL context and reports both in one line. Throws std::runtime_error if
+    // there is no display, or OpenGL lacks the version or an extension that the step needs.
     explicit Window(const Options& options);
     ~Window();
     Window(const Window&) = delete;
@@ -22,8 +22,8 @@ public:
     // Shows the frame before, handles events, and clears for the next. False: the loop is over.
     bool begin_frame();
 
-    // Physics steps that this frame is to make: one in a reproducible run; else as many time steps as
-    // the clock has moved on, at most 8 (a longer hitch slows the snow down, it never skips).
+    // Physics steps that this frame is to make: one in a reproducible run; else as many time steps
+    // as the clock has moved on, at most 8 (a longer hitch slows the snow down, it never skips).
     int steps() const { return steps_; }
 
     glm::ivec2 size() const { return size_; }  // pixels, at least 1x1

@@ -1,6 +1,6 @@
-// Step 1: snow on the CPU. Every flake is a struct in an array; each frame a loop moves all of them with
-// Euler's method, and a second loop hands each one to OpenGL with a function call of its own. Two clouds
-// release two kinds of flake. New calls: glBegin, glVertex3fv, glEnd, glPointSize.
+// Step 1: snow on the CPU. Every flake is a struct in an array; each frame a loop moves all of them
+// with Euler's method, and a second loop hands each one to OpenGL with a function call of its own.
+// Two clouds release two kinds of flake. New calls: glBegin, glVertex3fv, glEnd, glPointSize.
 
 #include <GL/glew.h>
 
@@ -41,7 +41,8 @@ try {
     Window window(options);
     const Weather& weather = options.weather;
     const bool hexagons = options.variant == "hexagons";
-    const auto update = options.variant == "three-loops" ? update_in_three_loops : update_in_one_loop;
+    const auto update =
+        options.variant == "three-loops" ? update_in_three_loops : update_in_one_loop;
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
@@ -58,10 +59,12 @@ try {
             glLoadMatrixf(value_ptr(window.projection()));
             glMatrixMode(GL_MODELVIEW);
             glLoadMatrixf(value_ptr(view));
-            // The first half of the pool is emitter 0's: small flakes of 1 pixel; emitter 1's have 2.
+            // The first half of the pool is emitter 0's: small flakes of 1 pixel; emitter 1's
+            // have 2.
             for (uint emitter = 0; emitter < 2; ++emitter) {
                 const uint middle = weather.particles / 2;
-                const uint begin = emitter == 0 ? 0 : middle, end = emitter == 0 ? middle : weather.particles;
+                const uint begin = emitter == 0 ? 0 : middle,
+                           end = emitter == 0 ? middle : weather.particles;
                 glPointSize(float(1 + emitter));
                 glBegin(hexagons ? GL_LINES : GL_POINTS);
                 for (uint i = begin; i < end; ++i) {

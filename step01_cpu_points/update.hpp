@@ -10,7 +10,8 @@ namespace snow {
 // compiler vectorises: those only find out whether a block of flakes, still in the cache, has any.
 constexpr size_t block = 64;
 
-inline void give_birth(std::span<Particle> flakes, size_t begin, size_t end, uint step, const Weather& weather)
+inline void give_birth(std::span<Particle> flakes, size_t begin, size_t end, uint step,
+                       const Weather& weather)
 {
     int any = 0;
     for (size_t i = begin; i < end; ++i) any |= gone(flakes[i], uint(i), weather);
@@ -26,7 +27,8 @@ inline void update_in_one_loop(std::span<Particle> flakes, uint step, const Weat
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
         const size_t end = min(begin + block, flakes.size());
         for (size_t i = begin; i < end; ++i) {
-            flakes[i] = accelerate(settle(move(flakes[i], weather), weather), uint(i), step, weather);
+            flakes[i] =
+                accelerate(settle(move(flakes[i], weather), weather), uint(i), step, weather);
         }
         give_birth(flakes, begin, end, step, weather);
     }
@@ -36,7 +38,8 @@ inline void update_in_one_loop(std::span<Particle> flakes, uint step, const Weat
 inline void update_in_three_loops(std::span<Particle> flakes, uint step, const Weather& weather)
 {
     for (Particle& flake : flakes) flake = settle(move(flake, weather), weather);
-    for (size_t i = 0; i < flakes.size(); ++i) flakes[i] = accelerate(flakes[i], uint(i), step, weather);
+    for (size_t i = 0; i < flakes.size(); ++i)
+        flakes[i] = accelerate(flakes[i], uint(i), step, weather);
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
         give_birth(flakes, begin, min(begin + block, flakes.size()), step, weather);
     }

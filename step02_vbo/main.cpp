@@ -1,6 +1,7 @@
-// Step 2: same as step 1, but the flakes travel to the GPU in one piece: one upload into a vertex buffer,
-// one draw call for each size of point. The cost moves from 20,000 function calls to one copy. New calls:
-// glBindBuffer, glBufferData, glBufferSubData, glVertexPointer, glDrawArrays (and glMapBufferRange).
+// Step 2: same as step 1, but the flakes travel to the GPU in one piece: one upload into a vertex
+// buffer, one draw call for each size of point. The cost moves from 20,000 function calls to one
+// copy. New calls: glBindBuffer, glBufferData, glBufferSubData, glVertexPointer, glDrawArrays (and
+// glMapBufferRange).
 
 #include <GL/glew.h>
 
@@ -49,7 +50,8 @@ try {
             // Positions lie sizeof(Particle) bytes apart in the buffer that is bound.
             glEnableClientState(GL_VERTEX_ARRAY);
             glVertexPointer(3, GL_FLOAT, sizeof(Particle), nullptr);
-            // The first half of the pool is emitter 0's: small flakes of 1 pixel; emitter 1's have 2.
+            // The first half of the pool is emitter 0's: small flakes of 1 pixel; emitter 1's
+            // have 2.
             const GLint middle = GLint(weather.particles / 2);
             glPointSize(1);
             glDrawArrays(GL_POINTS, first_flake, middle);

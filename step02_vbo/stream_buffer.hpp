@@ -1,5 +1,5 @@
-// Three ways to hand a fresh array to the GPU every frame. They draw the same picture; they differ in
-// who waits for whom.
+// Three ways to hand a fresh array to the GPU every frame. They draw the same picture; they differ
+// in who waits for whom.
 #pragma once
 
 #include <GL/glew.h>
@@ -12,14 +12,17 @@
 
 class StreamBuffer {
 public:
-    // `way` is "subdata", "orphan" or "persistent"; the last needs OpenGL 4.4 or GL_ARB_buffer_storage.
+    // `way` is "subdata", "orphan" or "persistent"; the last needs OpenGL 4.4 or
+    // GL_ARB_buffer_storage.
     StreamBuffer(const std::string& way, size_t flakes)
         : way_(way), bytes_(GLsizeiptr(flakes * sizeof(snow::Particle))), buffer_(make_buffer())
     {
         glBindBuffer(GL_ARRAY_BUFFER, buffer_);
         if (way_ == "persistent") {
-            constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-            const GLsizeiptr all = regions * bytes_ > 0 ? regions * bytes_ : 1;  // none may be empty
+            constexpr GLbitfield access =
+                GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+            const GLsizeiptr all =
+                regions * bytes_ > 0 ? regions * bytes_ : 1;  // none may be empty
             glBufferStorage(GL_ARRAY_BUFFER, all, nullptr, access);
             mapped_ = static_cast<char*>(glMapBufferRange(GL_ARRAY_BUFFER, 0, all, access));
         } else {
@@ -38,17 +41,20 @@ public:
     {
         glBindBuffer(GL_ARRAY_BUFFER, buffer_);
         if (way_ == "subdata") {
-            // Into the storage that last frame's draw may still be reading: the driver copies or waits.
+            // Into the storage that last frame's draw may still be reading: the driver copies or
+            // waits.
             glBufferSubData(GL_ARRAY_BUFFER, 0, bytes_, flakes.data());
             return 0;
         }
         if (way_ == "orphan") {
-            // New storage every frame; the old one lives on, an orphan, until the GPU is done with it.
+            // New storage every frame; the old one lives on, an orphan, until the GPU is done with
+            // it.
             glBufferData(GL_ARRAY_BUFFER, bytes_, flakes.data(), GL_STREAM_DRAW);
             return 0;
         }
-        // Persistent: memory the GPU reads directly. Nobody waits for us, so we wait, for the fence that
-        // stands behind the draw of three frames ago from the region we are about to overwrite.
+        // Persistent: memory the GPU reads directly. Nobody waits for us, so we wait, for the fence
+        // that stands behind the draw of three frames ago from the region we are about to
+        // overwrite.
         region_ = (region_ + 1) % regions;
         if (fences_[region_] != nullptr) {
             glClientWaitSync(fences_[region_], GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);

@@ -1,7 +1,7 @@
-// Step 3: same as step 2, but shaders draw the flakes: a vertex shader makes each as large as it looks
-// from its distance, a fragment shader gives the square point its shape. The cost of beauty is paid per
-// pixel, on the GPU. New calls: glUseProgram, glVertexAttribPointer, glEnable(GL_PROGRAM_POINT_SIZE),
-// glBlendFunc, glTexImage2D.
+// Step 3: same as step 2, but shaders draw the flakes: a vertex shader makes each as large as it
+// looks from its distance, a fragment shader gives the square point its shape. The cost of beauty
+// is paid per pixel, on the GPU. New calls: glUseProgram, glVertexAttribPointer,
+// glEnable(GL_PROGRAM_POINT_SIZE), glBlendFunc, glTexImage2D.
 
 #include <GL/glew.h>
 
@@ -32,8 +32,9 @@ try {
     StreamBuffer buffer("subdata", flakes.size());  // leaves the buffer bound
 
     const GlObject weather_block = upload_weather(weather);
-    Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
-                   {GL_FRAGMENT_SHADER, "step03_shader_points/flake_" + options.variant + ".frag"}});
+    Program flake(
+        {{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
+         {GL_FRAGMENT_SHADER, "step03_shader_points/flake_" + options.variant + ".frag"}});
     const GlObject crystals = load_texture("step03_shader_points/snowflakes.png");
     const GlObject vao = make_vertex_array();
     glBindVertexArray(vao);

@@ -1,6 +1,6 @@
-// The variant "texture": the flakes' state lies in floating-point textures and a full-screen pass of a
-// fragment shader updates it, as GPUs did it before transform feedback (Introduction to Computer
-// Graphics project sheet, part 3: "the integration can be done in the fragment shader").
+// The variant "texture": the flakes' state lies in floating-point textures and a full-screen pass
+// of a fragment shader updates it, as GPUs did it before transform feedback (Introduction to
+// Computer Graphics project sheet, part 3: "the integration can be done in the fragment shader").
 #pragma once
 
 #include <GL/glew.h>
@@ -20,9 +20,11 @@ public:
     {
         GLint largest = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-        if (size_.y > largest) throw std::runtime_error("--particles: too many for this card's textures");
+        if (size_.y > largest)
+            throw std::runtime_error("--particles: too many for this card's textures");
 
-        std::vector<glm::vec4> position_age(size_t(size_.x) * size_t(size_.y)), velocity_rest(position_age);
+        std::vector<glm::vec4> position_age(size_t(size_.x) * size_t(size_.y)),
+            velocity_rest(position_age);
         for (size_t i = 0; i < flakes.size(); ++i) {
             position_age[i] = {flakes[i].position, flakes[i].age};
             velocity_rest[i] = {flakes[i].velocity, flakes[i].rest};
@@ -32,8 +34,10 @@ public:
             state->velocity_rest = make_state_texture(velocity_rest);
             state->framebuffer = make_framebuffer();
             glBindFramebuffer(GL_FRAMEBUFFER, state->framebuffer);
-            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, state->position_age, 0);
-            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, state->velocity_rest, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                                   state->position_age, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D,
+                                   state->velocity_rest, 0);
             const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
             glDrawBuffers(2, both);
         }
@@ -70,7 +74,8 @@ public:
     // Reads all flakes back: for the dump, never within a frame.
     void read(std::vector<snow::Particle>& flakes) const
     {
-        std::vector<glm::vec4> position_age(size_t(size_.x) * size_t(size_.y)), velocity_rest(position_age);
+        std::vector<glm::vec4> position_age(size_t(size_.x) * size_t(size_.y)),
+            velocity_rest(position_age);
         glBindTexture(GL_TEXTURE_2D, old_.position_age);
         glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, position_age.data());
         glBindTexture(GL_TEXTURE_2D, old_.velocity_rest);
@@ -92,7 +97,8 @@ private:
     {
         GlObject texture = make_texture();
         glBindTexture(GL_TEXTURE_2D, texture);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size_.x, size_.y, 0, GL_RGBA, GL_FLOAT, pixels.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size_.x, size_.y, 0, GL_RGBA, GL_FLOAT,
+                     pixels.data());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         return texture;

@@ -1,7 +1,8 @@
-// Step 4: same as step 3, but the update runs on the GPU as well: a vertex shader moves each flake, and
-// transform feedback writes the result to a second buffer; then the two change roles. After the start no
-// flake ever crosses the bus again, so the upload is gone. New calls: glTransformFeedbackVaryings (in
-// common/program.cpp), glBeginTransformFeedback, glBindBufferBase, glEnable(GL_RASTERIZER_DISCARD).
+// Step 4: same as step 3, but the update runs on the GPU as well: a vertex shader moves each flake,
+// and transform feedback writes the result to a second buffer; then the two change roles. After the
+// start no flake ever crosses the bus again, so the upload is gone. New calls:
+// glTransformFeedbackVaryings (in common/program.cpp), glBeginTransformFeedback, glBindBufferBase,
+// glEnable(GL_RASTERIZER_DISCARD).
 
 #include <GL/glew.h>
 
@@ -16,18 +17,19 @@ using namespace snow;
 
 int main(int argc, char** argv)
 try {
-    const Options options = parse_options(
-        argc, argv,
-        {.name = "step04_transform_feedback",
-         .idea = "the snow of step 3, moved by the GPU as well as drawn by it",
-         .least_gl = 3.3,
-         .variants = {"feedback", "texture"}});
+    const Options options =
+        parse_options(argc, argv,
+                      {.name = "step04_transform_feedback",
+                       .idea = "the snow of step 3, moved by the GPU as well as drawn by it",
+                       .least_gl = 3.3,
+                       .variants = {"feedback", "texture"}});
     Window window(options);
     const Weather& weather = options.weather;
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the same.
+    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the
+    // same.
     GlObject buffers[2], vaos[2];
     for (int i = 0; i < 2; ++i) {
         buffers[i] = make_buffer();
@@ -88,7 +90,8 @@ try {
         textures->read(flakes);
     } else {
         glBindBuffer(GL_ARRAY_BUFFER, buffers[now]);
-        glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)), flakes.data());
+        glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)),
+                           flakes.data());
     }
     dump_flakes(options.dump, flakes);
     return 0;

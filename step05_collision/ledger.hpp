@@ -31,9 +31,9 @@ public:
         for (const snow::Particle& flake : flakes) {
             if (flake.age >= 0) ++(flake.rest > 0 ? lying_flakes : airborne_flakes);
         }
-        std::cout << "ledger: released " << counts.released << " = airborne " << airborne_flakes << " + lying "
-                  << lying_flakes << " + deposited " << counts.deposited << " + melted " << counts.melted
-                  << " + left " << counts.left_world << std::endl;
+        std::cout << "ledger: released " << counts.released << " = airborne " << airborne_flakes
+                  << " + lying " << lying_flakes << " + deposited " << counts.deposited
+                  << " + melted " << counts.melted << " + left " << counts.left_world << std::endl;
         return counts.deposited;
     }
 

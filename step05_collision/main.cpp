@@ -1,7 +1,7 @@
-// Step 5: same as step 4, but there is a scene, and the snow lands on it. At the start the CPU divides
-// space into voxels and marks those that the scene fills, one bit each; every frame each flake looks up
-// the few voxels on its way. The cost is per flake, not per triangle. New calls: glTexImage3D,
-// texelFetch and atomicCounterIncrement in the shader, glEnable(GL_DEPTH_TEST).
+// Step 5: same as step 4, but there is a scene, and the snow lands on it. At the start the CPU
+// divides space into voxels and marks those that the scene fills, one bit each; every frame each
+// flake looks up the few voxels on its way. The cost is per flake, not per triangle. New calls:
+// glTexImage3D, texelFetch and atomicCounterIncrement in the shader, glEnable(GL_DEPTH_TEST).
 
 #include <GL/glew.h>
 
@@ -33,7 +33,8 @@ try {
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the same.
+    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the
+    // same.
     GlObject buffers[2], vaos[2];
     for (int i = 0; i < 2; ++i) {
         buffers[i] = make_buffer();
@@ -110,7 +111,8 @@ try {
         }
     }
     glBindBuffer(GL_ARRAY_BUFFER, buffers[now]);
-    glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)), flakes.data());
+    glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)),
+                       flakes.data());
     dump_flakes(options.dump, flakes);
     ledger.print(flakes);
     return 0;

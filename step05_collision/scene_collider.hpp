@@ -31,13 +31,14 @@ public:
         glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
         if (3 * count_ > most) {
             throw std::runtime_error("--variant triangles: this card's buffer textures hold " +
-                                     std::to_string(most / 3) + " triangles, not " + std::to_string(count_));
+                                     std::to_string(most / 3) + " triangles, not " +
+                                     std::to_string(count_));
         }
         std::vector<glm::vec4> corners;
         for (const Vertex& vertex : scene.vertices) corners.emplace_back(vertex.position, 1);
         glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
-        glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(),
-                     GL_STATIC_DRAW);
+        glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(corners.size() * sizeof(glm::vec4)),
+                     corners.data(), GL_STATIC_DRAW);
         glBindTexture(GL_TEXTURE_BUFFER, texture_);
         glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_);
     }

@@ -1,11 +1,12 @@
-// Does a triangle touch a box? The separating-axis test of Akenine-Moller, "Fast 3D Triangle-Box Overlap
-// Testing" (2001): the two are apart if their shadows are apart on one of 13 axes.
+// Does a triangle touch a box? The separating-axis test of Akenine-Moller, "Fast 3D Triangle-Box
+// Overlap Testing" (2001): the two are apart if their shadows are apart on one of 13 axes.
 #pragma once
 
 #include <glm/glm.hpp>
 
 // a, b, c: the corners; centre, half_size: of the axis-aligned box. Touching counts.
-inline bool triangle_touches_box(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 centre, glm::vec3 half_size)
+inline bool triangle_touches_box(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 centre,
+                                 glm::vec3 half_size)
 {
     using glm::vec3;
     a -= centre;  // from here on the box lies around the origin
@@ -14,7 +15,8 @@ inline bool triangle_touches_box(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec
 
     // 1-3: the axes of the box.
     const vec3 least = glm::min(a, glm::min(b, c)), most = glm::max(a, glm::max(b, c));
-    if (glm::any(glm::greaterThan(least, half_size)) || glm::any(glm::lessThan(most, -half_size))) return false;
+    if (glm::any(glm::greaterThan(least, half_size)) || glm::any(glm::lessThan(most, -half_size)))
+        return false;
 
     // 4: the normal of the triangle.
     const vec3 edges[] = {b - a, c - b, a - c};
@@ -23,10 +25,12 @@ inline bool triangle_touches_box(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec
 
     // 5-13: edge x box axis, for each of the three edges and axes.
     for (const vec3& edge : edges) {
-        for (const vec3& axis : {vec3(0, -edge.z, edge.y), vec3(edge.z, 0, -edge.x), vec3(-edge.y, edge.x, 0)}) {
+        for (const vec3& axis :
+             {vec3(0, -edge.z, edge.y), vec3(edge.z, 0, -edge.x), vec3(-edge.y, edge.x, 0)}) {
             const float pa = glm::dot(axis, a), pb = glm::dot(axis, b), pc = glm::dot(axis, c);
             const float reach = glm::dot(glm::abs(axis), half_size);
-            if (glm::min(pa, glm::min(pb, pc)) > reach || glm::max(pa, glm::max(pb, pc)) < -reach) return false;
+            if (glm::min(pa, glm::min(pb, pc)) > reach || glm::max(pa, glm::max(pb, pc)) < -reach)
+                return false;
         }
     }
     return true;

@@ -32,23 +32,25 @@ private:
         if (triangles.empty()) return;
         if (size == 1) {
             const size_t row = size_t(corner.z) * size_t(grid_.resolution) + size_t(corner.y);
-            grid_.words[row * size_t(grid_.resolution / 32) + size_t(corner.x / 32)] |= 1u << (corner.x % 32);
+            grid_.words[row * size_t(grid_.resolution / 32) + size_t(corner.x / 32)] |=
+                1u << (corner.x % 32);
             return;
         }
         const int half = size / 2;
         std::vector<uint32_t> inside;
         for (int child = 0; child < 8; ++child) {
-            const ivec3 child_corner = corner + half * ivec3(child & 1, (child >> 1) & 1, child >> 2);
-            // A cube larger than a voxel is taken a hair too large, so that rounding cannot hide from it
-            // a triangle that touches one of its voxels.
+            const ivec3 child_corner =
+                corner + half * ivec3(child & 1, (child >> 1) & 1, child >> 2);
+            // A cube larger than a voxel is taken a hair too large, so that rounding cannot hide
+            // from it a triangle that touches one of its voxels.
             const float margin = half > 1 ? 1.0001f : 1.0f;
             const vec3 half_size(0.5f * float(half) * grid_.cell_size);
             const vec3 centre = grid_.origin + grid_.cell_size * vec3(child_corner) + half_size;
             inside.clear();
             for (const uint32_t triangle : triangles) {
                 const Vertex* corners = &vertices_[3 * size_t(triangle)];
-                if (!triangle_touches_box(corners[0].position, corners[1].position, corners[2].position, centre,
-                                          margin * half_size)) {
+                if (!triangle_touches_box(corners[0].position, corners[1].position,
+                                          corners[2].position, centre, margin * half_size)) {
                     continue;
                 }
                 inside.push_back(triangle);
@@ -59,7 +61,8 @@ private:
         if (size == 8) report(corner);
     }
 
-    // Children come in order of x, then y, then z, so each eighth of the work is one eighth of space.
+    // Children come in order of x, then y, then z, so each eighth of the work is one eighth of
+    // space.
     void report(ivec3 corner)
     {
         using namespace std::chrono;
@@ -84,7 +87,8 @@ private:
 
 bool VoxelGrid::solid(ivec3 cell) const
 {
-    if (glm::any(glm::lessThan(cell, ivec3(0))) || glm::any(glm::greaterThanEqual(cell, ivec3(resolution)))) {
+    if (glm::any(glm::lessThan(cell, ivec3(0))) ||
+        glm::any(glm::greaterThanEqual(cell, ivec3(resolution)))) {
         return false;
     }
     const size_t row = size_t(cell.z) * size_t(resolution) + size_t(cell.y);
@@ -105,12 +109,13 @@ VoxelGrid voxelise(const Scene& scene, int resolution)
     // One voxel of air on each side.
     grid.cell_size = std::max({size.x, size.y, size.z}) / float(resolution - 2);
     grid.origin = 0.5f * (least + most) - 0.5f * float(resolution) * grid.cell_size;
-    // A floor at y = 0 is the upper side of the lowest voxels, so that flakes lie on it, not above it.
+    // A floor at y = 0 is the upper side of the lowest voxels, so that flakes lie on it, not above
+    // it.
     grid.origin.y = -0.999f * grid.cell_size;
     grid.words.resize(size_t(resolution) * size_t(resolution) * size_t(resolution) / 32);
     Octree(scene, grid);
-    std::cout << "voxels: " << resolution << "^3 of " << grid.cell_size << " m in " << 4 * grid.words.size()
-              << " bytes" << std::endl;
+    std::cout << "voxels: " << resolution << "^3 of " << grid.cell_size << " m in "
+              << 4 * grid.words.size() << " bytes" << std::endl;
     return grid;
 }
 
@@ -124,8 +129,8 @@ GlObject upload_voxels(const VoxelGrid& grid)
     }
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_3D, texture);
-    glTexImage3D(GL_TEXTURE_3D, 0, GL_R32UI, grid.resolution / 32, grid.resolution, grid.resolution, 0,
-                 GL_RED_INTEGER, GL_UNSIGNED_INT, grid.words.data());
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_R32UI, grid.resolution / 32, grid.resolution, grid.resolution,
+                 0, GL_RED_INTEGER, GL_UNSIGNED_INT, grid.words.data());
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;

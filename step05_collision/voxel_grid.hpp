@@ -9,17 +9,17 @@
 #include "common/scene.hpp"
 
 struct VoxelGrid {
-    int resolution;        // voxels along each edge, a power of two, at least 32
-    glm::vec3 origin;      // m, the corner of least x, y and z
-    float cell_size;       // m, edge of a voxel
+    int resolution;               // voxels along each edge, a power of two, at least 32
+    glm::vec3 origin;             // m, the corner of least x, y and z
+    float cell_size;              // m, edge of a voxel
     std::vector<uint32_t> words;  // 32 voxels along x each: resolution^3 / 8 bytes
 
     bool solid(glm::ivec3 cell) const;  // false outside the grid
 };
 
-// Marks every voxel that a triangle of the scene touches, by dividing space as an octree does: a cube
-// that no triangle touches is done with, any other is divided into eight, down to single voxels.
-// Says on stderr how far it is if that takes longer than half a second.
+// Marks every voxel that a triangle of the scene touches, by dividing space as an octree does: a
+// cube that no triangle touches is done with, any other is divided into eight, down to single
+// voxels. Says on stderr how far it is if that takes longer than half a second.
 VoxelGrid voxelise(const Scene& scene, int resolution);
 
 // The grid as an R32UI 3D texture of resolution/32 x resolution x resolution words, bound to

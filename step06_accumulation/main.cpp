@@ -1,7 +1,7 @@
-// Step 6: same as step 5, but the snow stays: a flake that has lain for its time adds its mass to the
-// cell it lies in, in a buffer that every shader may read and write. A full cell is solid to the flakes
-// that follow, and the scene is drawn lifted and whitened by the snow upon it. New calls:
-// GL_SHADER_STORAGE_BUFFER, glMemoryBarrier, and atomicAdd in the shader.
+// Step 6: same as step 5, but the snow stays: a flake that has lain for its time adds its mass to
+// the cell it lies in, in a buffer that every shader may read and write. A full cell is solid to
+// the flakes that follow, and the scene is drawn lifted and whitened by the snow upon it. New
+// calls: GL_SHADER_STORAGE_BUFFER, glMemoryBarrier, and atomicAdd in the shader.
 
 #include <GL/glew.h>
 
@@ -20,19 +20,20 @@ using namespace snow;
 
 int main(int argc, char** argv)
 try {
-    const Options options = parse_options(
-        argc, argv,
-        {.name = "step06_accumulation",
-         .idea = "the snow of step 5, piling up on the scene: the full system",
-         .least_gl = 4.3,
-         .variants = {"cells"},
-         .has_scene = true});
+    const Options options =
+        parse_options(argc, argv,
+                      {.name = "step06_accumulation",
+                       .idea = "the snow of step 5, piling up on the scene: the full system",
+                       .least_gl = 4.3,
+                       .variants = {"cells"},
+                       .has_scene = true});
     Window window(options);
     const Weather& weather = options.weather;
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the same.
+    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the
+    // same.
     GlObject buffers[2], vaos[2];
     for (int i = 0; i < 2; ++i) {
         buffers[i] = make_buffer();
@@ -80,7 +81,8 @@ try {
                 glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
                 glEndTransformFeedback();
                 glDisable(GL_RASTERIZER_DISCARD);
-                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the next reader sees these flakes' snow
+                glMemoryBarrier(
+                    GL_SHADER_STORAGE_BARRIER_BIT);  // the next reader sees these flakes' snow
                 now = 1 - now;
             }
         }
@@ -107,7 +109,8 @@ try {
         }
     }
     glBindBuffer(GL_ARRAY_BUFFER, buffers[now]);
-    glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)), flakes.data());
+    glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)),
+                       flakes.data());
     dump_flakes(options.dump, flakes);
     cover.print(ledger.print(flakes));
     return 0;

@@ -2,6 +2,7 @@
 // A surface of the scene, under as much snow as lies on it.
 
 #include "step05_collision/light.glsl"
+#include "step06_accumulation/snow_cover.glsl"
 
 in vec3 world_position;
 in vec3 world_normal;
@@ -10,11 +11,21 @@ in float snow_depth;
 
 out vec4 colour;
 
+// How much of the surface is hidden by snow, 0 to 1.
+float snow_cover()
+{
+    const float covering_depth = 0.02;  // m, from which on nothing shines through
+    if (world_normal.y > 0.1) return smoothstep(0.0, covering_depth, snow_depth);
+    // The side of something: its upper edge was lifted, so it is snow as far as snow reaches down.
+    vec3 place = (world_position - grid_origin) / cell_size;
+    float filled = float(mass_in(ivec3(floor(place)))) / float(full_cell);
+    return snow_depth > 0.0 && fract(place.y) < filled ? 1.0 : 0.0;
+}
+
 void main()
 {
     const vec3 snow_colour = vec3(0.90, 0.93, 0.97);
-    const float covering_depth = 0.02;  // m, from which on nothing shines through
-    float cover = smoothstep(0.0, covering_depth, snow_depth);
+    float cover = snow_cover();
     // The snow's own surface: what lies one pixel to the right and one pixel up spans it.
     vec3 snow_normal = normalize(cross(dFdx(world_position), dFdy(world_position)));
     vec3 surface_normal = normalize(mix(normalize(world_normal), snow_normal, cover));

@@ -21,7 +21,7 @@ float column_depth(ivec3 cell)
 {
     for (int climb = 0; climb < 3 && in_scene(cell); ++climb) cell.y += 1;
     float cells = 0.0;
-    for (int layer = 0; layer < 64; ++layer) {
+    for (int layer = 0; layer < 256; ++layer) {
         float filled = float(mass_in(cell)) / float(full_cell);
         if (filled == 0.0) break;
         cells += filled;

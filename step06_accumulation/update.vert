@@ -9,7 +9,7 @@
 uniform uint flake_mass;  // units
 
 // The cell in which snow that comes down into the column of `cell` stays: the first above what is solid.
-// Looks no further than two cells up or down; there it finds none, the result lies outside the grid.
+// Looks no further than two cells up or down; if there is none, the result lies outside the grid.
 ivec3 resting_cell(ivec3 cell)
 {
     const ivec3 up = ivec3(0, 1, 0);
@@ -18,12 +18,28 @@ ivec3 resting_cell(ivec3 cell)
     return solid(cell) || !solid(cell - up) ? ivec3(-1) : cell;
 }
 
+// Adds to a cell as much as it still holds, and what is over to the cells above.
+void add_snow(ivec3 cell, uint amount)
+{
+    const int most_layers = 256;
+    for (int layer = 0; layer < most_layers && amount > 0u && in_grid(cell); ++layer) {
+        // Between these two lines other flakes may see the cell too full; in the end it is not.
+        uint sum = atomicAdd(mass[mass_index(cell)], amount) + amount;
+        uint over = sum > full_cell && layer + 1 < most_layers && in_grid(cell + ivec3(0, 1, 0))
+                        ? min(amount, sum - full_cell)
+                        : 0u;
+        if (over > 0u) atomicAdd(mass[mass_index(cell)], 0u - over);
+        amount = over;
+        cell.y += 1;
+    }
+}
+
 // Adds the flake's mass to the grid, a part to each of the nine columns around: whole flakes in single
 // columns would make a chequerboard. Returns false if there is nothing here for snow to lie on.
 bool deposit(vec3 position)
 {
     ivec3 centre = cell_of(position);
-    for (int climb = 0; climb < 64 && solid(centre); ++climb) centre.y += 1;  // it has snowed on the flake
+    for (int climb = 0; climb < 256 && solid(centre); ++climb) centre.y += 1;  // it has snowed on the flake
     if (!in_grid(centre) || !solid(centre - ivec3(0, 1, 0))) return false;
     uint left = flake_mass;
     for (int x = -1; x <= 1; ++x) {
@@ -32,11 +48,11 @@ bool deposit(vec3 position)
             ivec3 cell = resting_cell(centre + ivec3(x, 0, z));
             if (!in_grid(cell)) continue;  // beyond an edge, or a wall
             uint part = x == 0 || z == 0 ? flake_mass / 8u : flake_mass / 16u;
-            atomicAdd(mass[mass_index(cell)], part);
+            add_snow(cell, part);
             left -= part;
         }
     }
-    atomicAdd(mass[mass_index(centre)], left);  // a quarter, and what the others did not take
+    add_snow(centre, left);  // a quarter, and what the others did not take
     return true;
 }
 

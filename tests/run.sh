@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+#
+# Installs what is missing, builds everything and runs all the tests.
+#
+#     tests/run.sh [--sanitize] [ctest options]
+#
+# --sanitize builds, in a folder of its own, with the address and undefined behaviour sanitizers.
+# The tests run one after the other, as each keeps the processor busy; "-j 4" runs four at a time.
+
+set -euo pipefail
+
+root=$(dirname "$(dirname "$(readlink -f -- "$0")")")
+# shellcheck source=common/install.sh disable=SC1091
+source "$root/common/install.sh"
+
+build=$root/build
+sanitize=OFF
+if [[ ${1:-} == --sanitize ]]; then
+    build=$root/build-sanitize
+    sanitize=ON
+    shift
+fi
+
+install_missing build headless compare test
+
+say "Building in $build ..."
+quietly cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_SANITIZE="$sanitize"
+quietly cmake --build "$build" --parallel "$(nproc)"
+
+# A display in memory and Mesa's software OpenGL: the same pixels on a laptop and on a server.
+export LIBGL_ALWAYS_SOFTWARE=1
+exec xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" \
+    ctest --test-dir "$build" --output-on-failure "$@"
