@@ -97,21 +97,31 @@ Options parse_options(int argc, char** argv, Step step)
                                  text;
             });
     }
+    if (options.step.fixed_points) {
+        app.add_option("--groups", options.groups, "pieces in which the pool is drawn (2)")
+            ->check(CLI::Range(1u, 1000000u));
+        app.add_option("--point-size", options.point_size,
+                       "pixels of emitter 0's points, half of emitter 1's (1)")
+            ->check(CLI::Range(0.1, 64.0));
+    }
     app.add_option("--seed", seed, "another seed, another snowfall (1)");
     app.add_option("--size", size, "window, WIDTHxHEIGHT in pixels (1280x720)");
-    app.add_flag("--vsync", options.vsync,
-                 "wait for the display (off, so that times can be compared)");
+    CLI::Option* vsync = app.add_flag("--vsync", options.vsync,
+                                      "wait for the display (off, so that times can be compared)");
     app.add_option("--frames", options.frames, "stop after so many frames (run until closed)");
     app.add_option("--warmup", options.warmup, "frames to run before the first that counts (0)");
+    app.add_flag(
+           "--benchmark", options.benchmark,
+           "measure: panel hidden, 60 frames of warm-up and 300 counted unless given, summary")
+        ->excludes(vsync);
+    app.add_option("--csv", options.csv, "write the times of every frame to this file");
     app.add_flag("--realtime", options.realtime,
                  "follow the clock even with --frames, --dump or --screenshot (one step a frame)");
     app.add_option("--screenshot", options.screenshot, "write the last frame to this PNG file");
     app.add_option("--dump", options.dump,
                    "write all flakes to this CSV file after the last frame");
     app.add_flag("--debug", options.debug, "OpenGL debug context, messages to stderr");
-    app.footer(
-        parameters_help(snow::make_weather("snow", 0, 0)) +
-        "\nMouse: drag to orbit, wheel to zoom. C: camera back. S: screenshot. Escape: quit.\n");
+    app.footer(parameters_help(snow::make_weather("snow", 0, 0)) + "\n" + keys_help + "\n");
 
     try {
         app.parse(argc, argv);
@@ -129,10 +139,13 @@ Options parse_options(int argc, char** argv, Step step)
     if (options.step.has_scene && options.scene.empty()) {
         options.scene = find_file("common/assets/courtyard.obj");
     }
-    if (!options.screenshot.empty()) check_writable(options.screenshot);
-    if (!options.dump.empty()) check_writable(options.dump);
-    // A file of the last frame needs a last frame.
-    if (!options.frames && (!options.screenshot.empty() || !options.dump.empty()))
+    for (const auto& output : {options.screenshot, options.dump, options.csv}) {
+        if (!output.empty()) check_writable(output);
+    }
+    if (options.benchmark && app.count("--warmup") == 0) options.warmup = 60;
+    // What is to be written after the last frame needs a last frame.
+    if (!options.frames &&
+        (options.benchmark || !options.screenshot.empty() || !options.dump.empty()))
         options.frames = 300;
     return options;
 }

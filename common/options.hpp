@@ -16,6 +16,7 @@ struct Step {
     double least_gl;                           // OpenGL version, 3.3
     std::vector<std::string> variants;         // the first is the default
     bool has_scene = false;                    // takes --scene, --voxels and --up
+    bool fixed_points = false;                 // takes --groups and --point-size
     std::vector<const char*> extensions = {};  // needed besides the version
 };
 
@@ -31,15 +32,29 @@ struct Options {
     std::optional<unsigned> frames;  // stop after so many
     unsigned warmup = 0;             // frames before the first that counts
     bool realtime = false;  // steps follow the clock even when --frames, --dump ... are given
-    std::filesystem::path screenshot, dump;
+    unsigned groups = 2;    // pieces in which the pool is drawn
+    float point_size = 1;   // pixels, of emitter 0's flakes; emitter 1's are twice as wide
+    bool benchmark = false;
+    std::filesystem::path screenshot, dump, csv;
     bool debug = false;
 
     // One physics step a frame, so that a run can be repeated exactly?
     bool reproducible() const
     {
-        return !realtime && (frames || !screenshot.empty() || !dump.empty());
+        return !realtime && (benchmark || frames || !screenshot.empty() || !dump.empty());
+    }
+
+    // The first flake of a group; of group `groups`, one past the last of all.
+    unsigned group_begin(unsigned group) const
+    {
+        return unsigned(uint64_t(weather.particles) * group / groups);
     }
 };
+
+// What the keys do, for --help and for the panel.
+inline constexpr const char* keys_help =
+    "Mouse: drag to orbit, wheel to zoom. C: camera back. H: panel. Space: pause. R: restart.\n"
+    "S: screenshot. Escape: quit.";
 
 // Parses and checks the command line. --help ends the program with status 0, a line that makes no
 // sense with 2; what cannot be done (an output that cannot be written) throws std::runtime_error.

@@ -17,3 +17,19 @@ bool set_vsync(bool wait)
     return true;
 #endif
 }
+
+const char* vsync_state()
+{
+#ifdef _WIN32
+    if (!WGLEW_EXT_swap_control) return "off (not reported)";
+    return wglGetSwapIntervalEXT() != 0 ? "on" : "off";
+#else
+    // Mesa's own way first: its software renderer crashes when asked in the other.
+    if (GLXEW_MESA_swap_control) return glXGetSwapIntervalMESA() != 0 ? "on" : "off";
+    if (!GLXEW_EXT_swap_control) return "off (not reported)";
+    unsigned interval = 0;
+    glXQueryDrawable(glXGetCurrentDisplay(), glXGetCurrentDrawable(), GLX_SWAP_INTERVAL_EXT,
+                     &interval);
+    return interval != 0 ? "on" : "off";
+#endif
+}

@@ -4,12 +4,14 @@
 #include <GL/freeglut.h>
 
 #include <algorithm>
-#include <cmath>
+#include <backends/imgui_impl_glut.h>
+#include <cctype>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
+#include <utility>
 
 #include "common/output.hpp"
 #include "common/vsync.hpp"
@@ -46,22 +48,23 @@ void GLAPIENTRY on_gl_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei,
 
 }  // namespace
 
-Window::Window(const Options& options) : options_(options), size_(options.size)
+Window::Window(Options options)
+    : options_(std::move(options)), show_panel_(!options_.reproducible()), size_(options_.size)
 {
     the_window = this;
     glutInitErrorFunc(on_glut_error);
     glutInitWarningFunc(on_glut_warning);
-    std::string name = options.step.name;
+    std::string name = options_.step.name;
     char* arguments[] = {name.data(), nullptr};
     int count = 1;
     glutInit(&count, arguments);
     // No version is asked for: the driver then gives its newest compatibility context, in which the
     // fixed-function drawing of steps 1 and 2 and the shaders of the later ones both work.
-    if (options.debug) glutInitContextFlags(GLUT_DEBUG);
+    if (options_.debug) glutInitContextFlags(GLUT_DEBUG);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH);
     glutInitWindowSize(size_.x, size_.y);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
-    window_ = glutCreateWindow(name.c_str());
+    glutCreateWindow(name.c_str());
 
     glewExperimental = GL_TRUE;
     const GLenum status = glewInit();
@@ -71,14 +74,14 @@ Window::Window(const Options& options) : options_(options), size_(options.size)
                                  reinterpret_cast<const char*>(glewGetErrorString(status)));
     }
     check_gl();
-    if (options.debug) {
+    if (options_.debug) {
         if (!GLEW_KHR_debug)
             throw std::runtime_error("--debug needs GL_KHR_debug, which this OpenGL lacks");
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(on_gl_message, nullptr);
     }
-    if (!set_vsync(options.vsync)) {
+    if (!set_vsync(options_.vsync)) {
         throw std::runtime_error("--vsync: this driver cannot wait for the display");
     }
 
@@ -86,19 +89,20 @@ Window::Window(const Options& options) : options_(options), size_(options.size)
     glutReshapeFunc(on_reshape);
     glutKeyboardFunc(on_key);
     glutMouseFunc(on_button);
-    glutMotionFunc(on_drag);
-    glutCloseFunc([] {
-        the_window->closing_ = true;
-        the_window->window_ = 0;
-    });
+    glutMotionFunc(on_motion);
+    glutPassiveMotionFunc(on_motion);
+    // freeglut destroys window and context after this. But a context that is current lives on until
+    // it no longer is (GLX 1.4, 3.3.7), so what was computed can still be read back, and objects
+    // deleted.
+    glutCloseFunc([] { the_window->closing_ = true; });
     announce();
-    last_frame_ = last_title_ = Clock::now();
+    last_frame_ = last_swap_ = last_title_ = Clock::now();
 }
 
 Window::~Window()
 {
-    glutExit();  // at once; glutDestroyWindow would only queue it for a main loop that no longer
-                 // runs
+    panel_.reset();
+    glutExit();  // at once; glutDestroyWindow would only queue it for a main loop that is over
     the_window = nullptr;
 }
 
@@ -122,15 +126,16 @@ void Window::check_gl() const
     }
 }
 
-void Window::announce() const
+void Window::announce()
 {
     const std::string renderer = gl_string(GL_RENDERER);
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"}) {
+        software_ |= renderer.find(name) != std::string::npos;
+    }
     std::cout << options_.step.name << " " << options_.variant << ": " << renderer << ", OpenGL "
               << gl_string(GL_VERSION) << ", " << options_.weather.particles << " flakes, "
-              << size_.x << "x" << size_.y << ", vsync " << (options_.vsync ? "on" : "off")
-              << std::endl;
-    for (const char* software : {"llvmpipe", "softpipe", "swrast", "SWR"}) {
-        if (renderer.find(software) == std::string::npos) continue;
+              << size_.x << "x" << size_.y << ", vsync " << vsync_state() << std::endl;
+    if (software_) {
         std::cout
             << "warning: OpenGL runs in software here: times say nothing about a graphics card"
             << std::endl;
@@ -139,27 +144,77 @@ void Window::announce() const
 
 bool Window::begin_frame()
 {
-    if (drawn_ > 0 || steps_ > 0) finish_frame();
+    if (frame_open_) finish_frame();
     glutMainLoopEvent();
     const bool enough = options_.frames && drawn_ >= *options_.frames + options_.warmup;
-    if (closing_ || enough) return false;
-
-    steps_ = options_.reproducible() ? 1 : steps_since_last_frame();
+    if (closing_ || enough || controls_.restart) {
+        report();
+        return false;
+    }
+    weather_changed_ = std::exchange(controls_.weather_changed, false);
+    steps_ = steps_of_this_frame();
     glViewport(0, 0, size_.x, size_.y);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    // Software renderers answer some queries with 0: there the second half of a benchmark's warm-up
+    // is a pass of its own, in which the stages wait for each other and can be told apart.
+    const bool warm = drawn_ >= options_.warmup;
+    const bool synchronised =
+        options_.benchmark && software_ && !warm && drawn_ >= options_.warmup / 2;
+    if (synchronised || (measuring() ? warm : show_panel_)) timer_.begin_frame(synchronised);
+    frame_open_ = true;
     ++drawn_;
     return true;
 }
 
 void Window::finish_frame()
 {
+    if (show_panel_) {
+        const auto panel_stage = stage("panel");
+        if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
+        panel_->draw(size_, options_, controls_, timer_.frames(), gl_string(GL_RENDERER));
+    }
     const bool last = options_.frames && drawn_ == *options_.frames + options_.warmup;
     if (last && !options_.screenshot.empty()) save_screenshot(options_.screenshot, size_);
+    if (std::exchange(save_screenshot_, false)) save_screenshot(options_.step.name + ".png", size_);
     glutSwapBuffers();
+    const Clock::time_point now = Clock::now();
+    timer_.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count());
+    if (!measuring()) timer_.keep(300);
+    last_swap_ = now;
+    frame_open_ = false;
     show_frame_time();
 }
 
-int Window::steps_since_last_frame()
+// What was measured, also when the window was closed before the end.
+void Window::report()
+{
+    if (!measuring()) return;
+    timer_.finish();
+    if (options_.benchmark) {
+        print_summary(timer_.frames());
+        const unsigned asked = *options_.frames + options_.warmup;
+        if (drawn_ < asked) {
+            std::cout << "benchmark: cut short after " << drawn_ << " of " << asked
+                      << " frames, warm-up included" << std::endl;
+        }
+    }
+    if (!options_.csv.empty()) {
+        write_csv(options_.csv, options_, size_, gl_string(GL_RENDERER), timer_.frames());
+    }
+}
+
+bool Window::again()
+{
+    if (closing_ || !controls_.restart) return false;
+    controls_.restart = false;
+    drawn_ = drawn_at_last_title_ = 0;
+    timer_.clear();
+    announce();
+    last_frame_ = last_swap_ = last_title_ = Clock::now();
+    return true;
+}
+
+int Window::steps_of_this_frame()
 {
     constexpr int most = 8;
     const double time_step = options_.weather.time_step;
@@ -167,6 +222,11 @@ int Window::steps_since_last_frame()
     owed_ += std::chrono::duration<double>(now - last_frame_).count();
     last_frame_ = now;
     owed_ = std::min(owed_, most * time_step);
+    if (controls_.paused) {
+        owed_ = 0;
+        return std::exchange(controls_.single_step, false) ? 1 : 0;
+    }
+    if (options_.reproducible()) return 1;
     const int steps = int(owed_ / time_step);
     owed_ -= steps * time_step;
     return steps;
@@ -187,29 +247,61 @@ void Window::show_frame_time()
     drawn_at_last_title_ = drawn_;
 }
 
-void Window::on_key(unsigned char key, int, int)
+void Window::on_key(unsigned char key, int x, int y)
 {
     constexpr unsigned char escape = 27;
-    if (key == escape) the_window->closing_ = true;
-    if (key == 'c' || key == 'C') the_window->camera_ = Camera{};
-    if (key == 's' || key == 'S')
-        save_screenshot(the_window->options_.step.name + ".png", the_window->size_);
+    Window& window = *the_window;
+    if (window.panel_ && window.show_panel_) {
+        ImGui_ImplGLUT_KeyboardFunc(key, x, y);
+        if (window.panel_->wants_keys()) return;  // a number is being typed into a slider
+    }
+    switch (std::tolower(key)) {
+    case escape:
+        window.closing_ = true;
+        break;
+    case 'c':
+        window.camera_ = Camera{};
+        break;
+    case 'h':
+        window.show_panel_ = !window.show_panel_;
+        break;
+    case ' ':
+        window.controls_.paused = !window.controls_.paused;
+        break;
+    case 'r':
+        window.controls_.restart = true;
+        break;
+    case 's':
+        window.save_screenshot_ = true;
+        break;
+    default:
+        break;
+    }
 }
 
 void Window::on_button(int button, int state, int x, int y)
 {
     constexpr int wheel_up = 3, wheel_down = 4;  // X11's numbers, which freeglut passes on
+    Window& window = *the_window;
+    window.mouse_ = {x, y};
+    window.dragging_ = false;
+    if (window.panel_ && window.show_panel_) {
+        ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+        if (window.panel_->wants_mouse()) return;
+    }
     if (state != GLUT_DOWN) return;
-    the_window->mouse_ = {x, y};
-    if (button == wheel_up) the_window->camera_.zoom(1);
-    if (button == wheel_down) the_window->camera_.zoom(-1);
+    if (button == wheel_up) window.camera_.zoom(1);
+    if (button == wheel_down) window.camera_.zoom(-1);
+    window.dragging_ = button == GLUT_LEFT_BUTTON;
 }
 
-void Window::on_drag(int x, int y)
+void Window::on_motion(int x, int y)
 {
+    Window& window = *the_window;
+    if (window.panel_) ImGui_ImplGLUT_MotionFunc(x, y);
     const glm::ivec2 mouse(x, y);
-    the_window->camera_.orbit(glm::vec2(mouse - the_window->mouse_));
-    the_window->mouse_ = mouse;
+    if (window.dragging_) window.camera_.orbit(glm::vec2(mouse - window.mouse_));
+    window.mouse_ = mouse;
 }
 
 void Window::on_reshape(int width, int height)

@@ -5,16 +5,19 @@
 #include <chrono>
 #include <exception>
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 
 #include "common/camera.hpp"
 #include "common/options.hpp"
+#include "common/panel.hpp"
+#include "common/timer.hpp"
 
 class Window {
 public:
     // Opens it with an OpenGL context and reports both in one line. Throws std::runtime_error if
     // there is no display, or OpenGL lacks the version or an extension that the step needs.
-    explicit Window(const Options& options);
+    explicit Window(Options options);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -22,37 +25,56 @@ public:
     // Shows the frame before, handles events, and clears for the next. False: the loop is over.
     bool begin_frame();
 
+    // After the loop: has the user asked to begin anew? The options may then have changed.
+    bool again();
+
+    // Times the block it is declared in as a stage of this frame.
+    FrameTimer::Stage stage(const char* name) { return timer_.stage(name); }
+
     // Physics steps that this frame is to make: one in a reproducible run; else as many time steps
     // as the clock has moved on, at most 8 (a longer hitch slows the snow down, it never skips).
     int steps() const { return steps_; }
 
+    // Has a slider moved since the frame before?
+    bool weather_changed() const { return weather_changed_; }
+
+    const Options& options() const { return options_; }
     glm::ivec2 size() const { return size_; }  // pixels, at least 1x1
     glm::mat4 view() const { return camera_.view(); }
     glm::mat4 projection() const { return camera_.projection(size_); }
     glm::vec3 eye() const { return camera_.eye(); }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     void check_gl() const;
-    void announce() const;
+    void announce();
     void finish_frame();
-    int steps_since_last_frame();
+    void report();
+    bool measuring() const { return options_.benchmark || !options_.csv.empty(); }
+    int steps_of_this_frame();
     void show_frame_time();
     static void on_key(unsigned char key, int x, int y);
     static void on_button(int button, int state, int x, int y);
-    static void on_drag(int x, int y);
+    static void on_motion(int x, int y);
     static void on_reshape(int width, int height);
 
-    using Clock = std::chrono::steady_clock;
     Options options_;
     Camera camera_;
+    FrameTimer timer_;
+    std::unique_ptr<Panel> panel_;
+    Panel::Controls controls_;
+    bool show_panel_;
     glm::ivec2 size_;
     glm::ivec2 mouse_{};
-    int window_ = 0;
-    bool closing_ = false;
+    bool dragging_ = false;
+    bool closing_ = false, save_screenshot_ = false, weather_changed_ = false;
+    bool software_ = false;  // no graphics card behind this OpenGL
+    bool frame_open_ = false;
     unsigned drawn_ = 0;  // frames, warm-up included
     int steps_ = 0;
     double owed_ = 0;  // s of physics the clock is ahead
-    Clock::time_point last_frame_, last_title_;
+    Clock::time_point last_frame_, last_swap_, last_title_;
     unsigned drawn_at_last_title_ = 0;
 };
 

@@ -13,6 +13,14 @@
 
 using namespace snow;
 
+const Step this_step = {
+    .name = "step01_cpu_points",
+    .idea = "snow moved by a loop on the CPU and drawn point by point with glBegin and glEnd",
+    .least_gl = 1.5,
+    .variants = {"one-loop", "three-loops", "hexagons"},
+    .fixed_points = true,
+};
+
 // A flake as one point, as many pixels wide as glPointSize said.
 void draw_point(const Particle& flake)
 {
@@ -30,15 +38,10 @@ void draw_crystal(const Particle& flake, float radius, vec3 right, vec3 up)
     }
 }
 
-int main(int argc, char** argv)
-try {
-    const Options options = parse_options(
-        argc, argv,
-        {.name = "step01_cpu_points",
-         .idea = "snow moved by a loop on the CPU and drawn point by point with glBegin and glEnd",
-         .least_gl = 1.5,
-         .variants = {"one-loop", "three-loops", "hexagons"}});
-    Window window(options);
+// From the first flake to the last frame, or until the panel asks for other flakes.
+void run(Window& window)
+{
+    const Options& options = window.options();
     const Weather& weather = options.weather;
     const bool hexagons = options.variant == "hexagons";
     const auto update =
@@ -49,23 +52,23 @@ try {
 
     glClearColor(0.05f, 0.07f, 0.12f, 1.0f);
     while (window.begin_frame()) {
-        {  // update
+        {
+            const auto stage = window.stage("update");
             for (int n = 0; n < window.steps(); ++n) update(flakes, step++, weather);
         }
-        {  // draw
+        {
+            const auto stage = window.stage("draw");
             const mat4 view = window.view();
             const mat3 camera = transpose(mat3(view));  // its right, up and back, world space
             glMatrixMode(GL_PROJECTION);
             glLoadMatrixf(value_ptr(window.projection()));
             glMatrixMode(GL_MODELVIEW);
             glLoadMatrixf(value_ptr(view));
-            // The first half of the pool is emitter 0's: small flakes of 1 pixel; emitter 1's
-            // have 2.
-            for (uint emitter = 0; emitter < 2; ++emitter) {
-                const uint middle = weather.particles / 2;
-                const uint begin = emitter == 0 ? 0 : middle,
-                           end = emitter == 0 ? middle : weather.particles;
-                glPointSize(float(1 + emitter));
+            // In pieces, for points of two sizes: the first half of the pool is emitter 0's, of
+            // small flakes, the second half emitter 1's.
+            for (uint group = 0; group < options.groups; ++group) {
+                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
+                glPointSize(options.point_size * (of_first_emitter(begin, weather) ? 1.0f : 2.0f));
                 glBegin(hexagons ? GL_LINES : GL_POINTS);
                 for (uint i = begin; i < end; ++i) {
                     if (hexagons) {
@@ -79,6 +82,13 @@ try {
         }
     }
     dump_flakes(options.dump, flakes);
+}
+
+int main(int argc, char** argv)
+try {
+    Window window(parse_options(argc, argv, this_step));
+    do run(window);
+    while (window.again());
     return 0;
 } catch (const std::exception& failure) {
     return report_failure(failure);

@@ -15,15 +15,18 @@
 
 using namespace snow;
 
-int main(int argc, char** argv)
-try {
-    const Options options = parse_options(
-        argc, argv,
-        {.name = "step02_vbo",
-         .idea = "the snow of step 1, uploaded to a vertex buffer and drawn with one call",
-         .least_gl = 1.5,
-         .variants = {"subdata", "orphan", "persistent"}});
-    Window window(options);
+const Step this_step = {
+    .name = "step02_vbo",
+    .idea = "the snow of step 1, uploaded to a vertex buffer and drawn with one call",
+    .least_gl = 1.5,
+    .variants = {"subdata", "orphan", "persistent"},
+    .fixed_points = true,
+};
+
+// From the first flake to the last frame, or until the panel asks for other flakes.
+void run(Window& window)
+{
+    const Options& options = window.options();
     const Weather& weather = options.weather;
     if (options.variant == "persistent" && !GLEW_ARB_buffer_storage) {
         throw std::runtime_error("--variant persistent needs OpenGL 4.4: try orphan");
@@ -36,13 +39,16 @@ try {
     glClearColor(0.05f, 0.10f, 0.10f, 1.0f);
     while (window.begin_frame()) {
         GLint first_flake = 0;
-        {  // update
+        {
+            const auto stage = window.stage("update");
             for (int n = 0; n < window.steps(); ++n) update_in_one_loop(flakes, step++, weather);
         }
-        {  // upload
+        {
+            const auto stage = window.stage("upload");
             first_flake = buffer.upload(flakes);
         }
-        {  // draw
+        {
+            const auto stage = window.stage("draw");
             glMatrixMode(GL_PROJECTION);
             glLoadMatrixf(value_ptr(window.projection()));
             glMatrixMode(GL_MODELVIEW);
@@ -50,17 +56,24 @@ try {
             // Positions lie sizeof(Particle) bytes apart in the buffer that is bound.
             glEnableClientState(GL_VERTEX_ARRAY);
             glVertexPointer(3, GL_FLOAT, sizeof(Particle), nullptr);
-            // The first half of the pool is emitter 0's: small flakes of 1 pixel; emitter 1's
-            // have 2.
-            const GLint middle = GLint(weather.particles / 2);
-            glPointSize(1);
-            glDrawArrays(GL_POINTS, first_flake, middle);
-            glPointSize(2);
-            glDrawArrays(GL_POINTS, first_flake + middle, GLsizei(flakes.size()) - middle);
+            // In pieces, for points of two sizes: the first half of the pool is emitter 0's, of
+            // small flakes, the second half emitter 1's.
+            for (uint group = 0; group < options.groups; ++group) {
+                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
+                glPointSize(options.point_size * (of_first_emitter(begin, weather) ? 1.0f : 2.0f));
+                glDrawArrays(GL_POINTS, first_flake + GLint(begin), GLsizei(end - begin));
+            }
             buffer.drawn();
         }
     }
     dump_flakes(options.dump, flakes);
+}
+
+int main(int argc, char** argv)
+try {
+    Window window(parse_options(argc, argv, this_step));
+    do run(window);
+    while (window.again());
     return 0;
 } catch (const std::exception& failure) {
     return report_failure(failure);

@@ -65,6 +65,8 @@ public:
         return GLint(region_ * GLsizeiptr(flakes.size()));
     }
 
+    GLuint name() const { return buffer_; }
+
     // To be called after the draw calls that read what was uploaded.
     void drawn()
     {

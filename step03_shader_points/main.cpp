@@ -16,28 +16,31 @@
 
 using namespace snow;
 
-int main(int argc, char** argv)
-try {
-    const Options options = parse_options(
-        argc, argv,
-        {.name = "step03_shader_points",
-         .idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance",
-         .least_gl = 3.3,
-         .variants = {"disc", "texture"}});
-    Window window(options);
+const Step this_step = {
+    .name = "step03_shader_points",
+    .idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance",
+    .least_gl = 3.3,
+    .variants = {"disc", "texture"},
+};
+
+// From the first flake to the last frame, or until the panel asks for other flakes.
+void run(Window& window)
+{
+    const Options& options = window.options();
     const Weather& weather = options.weather;
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    StreamBuffer buffer("subdata", flakes.size());  // leaves the buffer bound
+    StreamBuffer buffer("subdata", flakes.size());
 
-    const GlObject weather_block = upload_weather(weather);
+    GlObject weather_block = upload_weather(weather);
     Program flake(
         {{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
          {GL_FRAGMENT_SHADER, "step03_shader_points/flake_" + options.variant + ".frag"}});
     const GlObject crystals = load_texture("step03_shader_points/snowflakes.png");
     const GlObject vao = make_vertex_array();
     glBindVertexArray(vao);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
     describe_particles();
 
     glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
@@ -45,23 +48,35 @@ try {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(0.10f, 0.08f, 0.14f, 1.0f);
     while (window.begin_frame()) {
-        {  // update
+        if (window.weather_changed()) weather_block = upload_weather(weather);
+        {
+            const auto stage = window.stage("update");
             for (int n = 0; n < window.steps(); ++n) update_in_one_loop(flakes, step++, weather);
         }
-        {  // upload
+        {
+            const auto stage = window.stage("upload");
             buffer.upload(flakes);
         }
-        {  // draw
+        {
+            const auto stage = window.stage("draw");
             flake.use();
             flake.set("view", window.view());
             flake.set("projection", window.projection());
             flake.set("window_height", float(window.size().y));
+            glBindVertexArray(vao);
             glEnable(GL_BLEND);
             glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
             glDisable(GL_BLEND);
         }
     }
     dump_flakes(options.dump, flakes);
+}
+
+int main(int argc, char** argv)
+try {
+    Window window(parse_options(argc, argv, this_step));
+    do run(window);
+    while (window.again());
     return 0;
 } catch (const std::exception& failure) {
     return report_failure(failure);

@@ -15,15 +15,17 @@
 
 using namespace snow;
 
-int main(int argc, char** argv)
-try {
-    const Options options =
-        parse_options(argc, argv,
-                      {.name = "step04_transform_feedback",
-                       .idea = "the snow of step 3, moved by the GPU as well as drawn by it",
-                       .least_gl = 3.3,
-                       .variants = {"feedback", "texture"}});
-    Window window(options);
+const Step this_step = {
+    .name = "step04_transform_feedback",
+    .idea = "the snow of step 3, moved by the GPU as well as drawn by it",
+    .least_gl = 3.3,
+    .variants = {"feedback", "texture"},
+};
+
+// From the first flake to the last frame, or until the panel asks for other flakes.
+void run(Window& window)
+{
+    const Options& options = window.options();
     const Weather& weather = options.weather;
 
     std::vector<Particle> flakes = make_flakes(weather);
@@ -44,7 +46,7 @@ try {
     std::optional<FlakesInTextures> textures;
     if (options.variant == "texture") textures.emplace(flakes);
 
-    const GlObject weather_block = upload_weather(weather);
+    GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, "step04_transform_feedback/update.vert"}},
                    {"position", "age", "velocity", "rest"});
     Program flake({{GL_VERTEX_SHADER, textures ? "step04_transform_feedback/flake_texture.vert"
@@ -56,7 +58,9 @@ try {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(0.13f, 0.09f, 0.08f, 1.0f);
     while (window.begin_frame()) {
-        {  // update
+        if (window.weather_changed()) weather_block = upload_weather(weather);
+        {
+            const auto stage = window.stage("update");
             for (int n = 0; n < window.steps(); ++n, ++step) {
                 if (textures) {
                     textures->update(step);
@@ -74,7 +78,8 @@ try {
                 now = 1 - now;
             }
         }
-        {  // draw
+        {
+            const auto stage = window.stage("draw");
             flake.use();
             flake.set("view", window.view());
             flake.set("projection", window.projection());
@@ -94,6 +99,13 @@ try {
                            flakes.data());
     }
     dump_flakes(options.dump, flakes);
+}
+
+int main(int argc, char** argv)
+try {
+    Window window(parse_options(argc, argv, this_step));
+    do run(window);
+    while (window.again());
     return 0;
 } catch (const std::exception& failure) {
     return report_failure(failure);

@@ -17,17 +17,19 @@
 
 using namespace snow;
 
-int main(int argc, char** argv)
-try {
-    const Options options = parse_options(
-        argc, argv,
-        {.name = "step05_collision",
-         .idea = "the snow of step 4, landing on a scene that the GPU knows as voxels",
-         .least_gl = 3.3,
-         .variants = {"voxels", "triangles"},
-         .has_scene = true,
-         .extensions = {"GL_ARB_shader_atomic_counters"}});
-    Window window(options);
+const Step this_step = {
+    .name = "step05_collision",
+    .idea = "the snow of step 4, landing on a scene that the GPU knows as voxels",
+    .least_gl = 3.3,
+    .variants = {"voxels", "triangles"},
+    .has_scene = true,
+    .extensions = {"GL_ARB_shader_atomic_counters"},
+};
+
+// From the first flake to the last frame, or until the panel asks for other flakes.
+void run(Window& window)
+{
+    const Options& options = window.options();
     const Weather& weather = options.weather;
     const bool triangles = options.variant == "triangles";
 
@@ -54,7 +56,7 @@ try {
     const TriangleTexture triangle_texture(triangles ? scene : Scene{});
     const Ledger ledger;
 
-    const GlObject weather_block = upload_weather(weather);
+    GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, triangles ? "step05_collision/update_triangles.vert"
                                                  : "step05_collision/update.vert"}},
                    {"position", "age", "velocity", "rest"});
@@ -70,7 +72,9 @@ try {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(sky.r, sky.g, sky.b, 1.0f);
     while (window.begin_frame()) {
-        {  // update
+        if (window.weather_changed()) weather_block = upload_weather(weather);
+        {
+            const auto stage = window.stage("update");
             update.use();
             if (triangles) {
                 triangle_texture.set(update);
@@ -89,7 +93,8 @@ try {
                 now = 1 - now;
             }
         }
-        {  // scene
+        {
+            const auto stage = window.stage("scene");
             surface.use();
             surface.set("view", window.view());
             surface.set("projection", window.projection());
@@ -97,7 +102,8 @@ try {
             surface.set("fog", sky);
             mesh.draw();
         }
-        {  // draw
+        {
+            const auto stage = window.stage("draw");
             flake.use();
             flake.set("view", window.view());
             flake.set("projection", window.projection());
@@ -115,6 +121,13 @@ try {
                        flakes.data());
     dump_flakes(options.dump, flakes);
     ledger.print(flakes);
+}
+
+int main(int argc, char** argv)
+try {
+    Window window(parse_options(argc, argv, this_step));
+    do run(window);
+    while (window.again());
     return 0;
 } catch (const std::exception& failure) {
     return report_failure(failure);

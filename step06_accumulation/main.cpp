@@ -18,16 +18,18 @@
 
 using namespace snow;
 
-int main(int argc, char** argv)
-try {
-    const Options options =
-        parse_options(argc, argv,
-                      {.name = "step06_accumulation",
-                       .idea = "the snow of step 5, piling up on the scene: the full system",
-                       .least_gl = 4.3,
-                       .variants = {"cells"},
-                       .has_scene = true});
-    Window window(options);
+const Step this_step = {
+    .name = "step06_accumulation",
+    .idea = "the snow of step 5, piling up on the scene: the full system",
+    .least_gl = 4.3,
+    .variants = {"cells"},
+    .has_scene = true,
+};
+
+// From the first flake to the last frame, or until the panel asks for other flakes.
+void run(Window& window)
+{
+    const Options& options = window.options();
     const Weather& weather = options.weather;
 
     std::vector<Particle> flakes = make_flakes(weather);
@@ -53,7 +55,7 @@ try {
     const SnowCover cover(grid, weather);
     const Ledger ledger;
 
-    const GlObject weather_block = upload_weather(weather);
+    GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, "step06_accumulation/update.vert"}},
                    {"position", "age", "velocity", "rest"});
     Program surface({{GL_VERTEX_SHADER, "step06_accumulation/scene.vert"},
@@ -68,7 +70,9 @@ try {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(sky.r, sky.g, sky.b, 1.0f);
     while (window.begin_frame()) {
-        {  // update
+        if (window.weather_changed()) weather_block = upload_weather(weather);
+        {
+            const auto stage = window.stage("update");
             update.use();
             set_voxels(update, grid, voxels);
             update.set("flake_mass", cover.flake_mass());
@@ -86,7 +90,8 @@ try {
                 now = 1 - now;
             }
         }
-        {  // scene
+        {
+            const auto stage = window.stage("scene");
             surface.use();
             set_voxels(surface, grid, voxels);
             surface.set("view", window.view());
@@ -95,7 +100,8 @@ try {
             surface.set("fog", sky);
             mesh.draw();
         }
-        {  // draw
+        {
+            const auto stage = window.stage("draw");
             flake.use();
             flake.set("view", window.view());
             flake.set("projection", window.projection());
@@ -113,6 +119,13 @@ try {
                        flakes.data());
     dump_flakes(options.dump, flakes);
     cover.print(ledger.print(flakes));
+}
+
+int main(int argc, char** argv)
+try {
+    Window window(parse_options(argc, argv, this_step));
+    do run(window);
+    while (window.again());
     return 0;
 } catch (const std::exception& failure) {
     return report_failure(failure);
