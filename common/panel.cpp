@@ -49,7 +49,8 @@ void draw_times(const std::deque<FrameTime>& frames)
     ImGui::Text("%.2f ms a frame (%.0f fps), p95 %.2f ms", median, 1000 / std::max(median, 1e-3),
                 p95);
     ImGui::PlotLines("##frames", plot.data(), int(plot.size()), 0, nullptr, 0,
-                     float(std::max(2 * median, p95)), ImVec2(-1, 60));
+                     float(std::max(2 * median, p95)),
+                     ImVec2(ImGui::GetContentRegionAvail().x, 60));
     // The last frame whose GPU times have all arrived.
     const auto whole = std::find_if(frames.rbegin(), frames.rend(), [](const FrameTime& frame) {
         return !frame.stages.empty() && std::all_of(frame.stages.begin(), frame.stages.end(),

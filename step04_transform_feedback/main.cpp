@@ -6,6 +6,8 @@
 
 #include <GL/glew.h>
 
+#include <optional>
+
 #include "common/options.hpp"
 #include "common/output.hpp"
 #include "common/program.hpp"
@@ -30,10 +32,11 @@ void run(Window& window)
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the
-    // same.
+    std::optional<FlakesInTextures> textures;  // instead of the buffers, in the variant "texture"
+    if (options.variant == "texture") textures.emplace(flakes);
+    // Ping-pong: an update reads one buffer and writes the other; it may not do both to the same.
     GlObject buffers[2], vaos[2];
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2 && !textures; ++i) {
         buffers[i] = make_buffer();
         vaos[i] = make_vertex_array();
         glBindVertexArray(vaos[i]);
@@ -43,8 +46,6 @@ void run(Window& window)
         describe_particles();
     }
     int now = 0;  // the buffer that holds the flakes as they are
-    std::optional<FlakesInTextures> textures;
-    if (options.variant == "texture") textures.emplace(flakes);
 
     GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, "step04_transform_feedback/update.vert"}},

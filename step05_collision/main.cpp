@@ -5,7 +5,6 @@
 
 #include <GL/glew.h>
 
-#include "common/files.hpp"
 #include "common/options.hpp"
 #include "common/output.hpp"
 #include "common/program.hpp"
@@ -35,8 +34,7 @@ void run(Window& window)
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the
-    // same.
+    // Ping-pong: an update reads one buffer and writes the other; it may not do both to the same.
     GlObject buffers[2], vaos[2];
     for (int i = 0; i < 2; ++i) {
         buffers[i] = make_buffer();

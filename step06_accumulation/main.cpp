@@ -5,7 +5,6 @@
 
 #include <GL/glew.h>
 
-#include "common/files.hpp"
 #include "common/options.hpp"
 #include "common/output.hpp"
 #include "common/program.hpp"
@@ -34,8 +33,7 @@ void run(Window& window)
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint step = 0;
-    // Ping-pong: an update reads one buffer and writes the other, for it may not do both to the
-    // same.
+    // Ping-pong: an update reads one buffer and writes the other; it may not do both to the same.
     GlObject buffers[2], vaos[2];
     for (int i = 0; i < 2; ++i) {
         buffers[i] = make_buffer();
@@ -52,7 +50,7 @@ void run(Window& window)
     const SceneMesh mesh(scene);
     const VoxelGrid grid = voxelise(scene, options.voxels);
     const GlObject voxels = upload_voxels(grid);
-    const SnowCover cover(grid, weather);
+    SnowCover cover(grid);
     const Ledger ledger;
 
     GlObject weather_block = upload_weather(weather);
@@ -75,7 +73,7 @@ void run(Window& window)
             const auto stage = window.stage("update");
             update.use();
             set_voxels(update, grid, voxels);
-            update.set("flake_mass", cover.flake_mass());
+            update.set("flake_mass", cover.flake_mass(weather));
             for (int n = 0; n < window.steps(); ++n, ++step) {
                 update.set("step_number", step);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
@@ -85,8 +83,7 @@ void run(Window& window)
                 glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
                 glEndTransformFeedback();
                 glDisable(GL_RASTERIZER_DISCARD);
-                glMemoryBarrier(
-                    GL_SHADER_STORAGE_BARRIER_BIT);  // the next reader sees these flakes' snow
+                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // who reads next sees this snow
                 now = 1 - now;
             }
         }

@@ -3,6 +3,8 @@
 
 #include <GL/glew.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <stdexcept>
@@ -15,9 +17,9 @@
 
 class SnowCover {
 public:
-    SnowCover(const VoxelGrid& grid, const snow::Weather& weather)
+    explicit SnowCover(const VoxelGrid& grid)
         : cells_(size_t(grid.resolution) * size_t(grid.resolution) * size_t(grid.resolution)),
-          flake_mass_(mass_of_a_flake(grid, weather)), buffer_(make_buffer())
+          cell_size_(grid.cell_size), buffer_(make_buffer())
     {
         GLint64 largest = 0;
         glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
@@ -34,7 +36,21 @@ public:
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffer_);
     }
 
-    GLuint flake_mass() const { return flake_mass_; }  // units, full_cell of which fill a cell
+    // The mass of one flake, in units of which 65536 fill a cell: as much as it takes for the
+    // flakes that fall on a square metre in a minute to fill it as deep as the weather says,
+    // however many flakes there are.
+    GLuint flake_mass(const snow::Weather& weather)
+    {
+        const snow::Emitter& cloud = weather.emitters[0];
+        const double area = 4.0 * cloud.half_size.x * cloud.half_size.z;                 // m2
+        const double cycle = cloud.centre.y / cloud.terminal_speed + weather.melt_time;  // s
+        const double volume =
+            weather.snowfall / 60.0 * area * cycle / std::max(1u, weather.particles);  // m3
+        const double mass = 65536 * volume / std::pow(cell_size_, 3);
+        const GLuint now = GLuint(std::min(mass + 0.5, 1e9));
+        same_mass_ = same_mass_ && (flake_mass_ == 0 || now == flake_mass_);
+        return flake_mass_ = now;
+    }
 
     // Reads the grid back and prints whether it holds what was deposited. For the end, never in a
     // frame.
@@ -46,29 +62,18 @@ public:
         glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes()), mass.data());
         uint64_t sum = 0;
         for (const GLuint cell : mass) sum += cell;
-        std::cout << "cover: mass " << sum << " = deposited " << deposited << " x " << flake_mass_
+        std::cout << "cover: mass " << sum << (same_mass_ ? " = deposited " : ", deposited ")
+                  << deposited
+                  << (same_mass_ ? " x " + std::to_string(flake_mass_) : " flakes of changing mass")
                   << std::endl;
     }
 
 private:
-    static constexpr double full_cell = 65536;  // as in snow_cover.glsl
-
-    // As much as it takes for the flakes that fall on one square metre in a minute to fill it as
-    // deep as the weather says, however many flakes there are.
-    static GLuint mass_of_a_flake(const VoxelGrid& grid, const snow::Weather& weather)
-    {
-        const snow::Emitter& cloud = weather.emitters[0];
-        const double area = 4.0 * cloud.half_size.x * cloud.half_size.z;                 // m2
-        const double cycle = cloud.centre.y / cloud.terminal_speed + weather.melt_time;  // s
-        const double volume =
-            weather.snowfall / 60.0 * area * cycle / std::max(1u, weather.particles);  // m3
-        const double mass = full_cell * volume / std::pow(grid.cell_size, 3);
-        return GLuint(std::min(mass + 0.5, 1e9));
-    }
-
     size_t bytes() const { return cells_ * sizeof(GLuint); }
 
     size_t cells_;
-    GLuint flake_mass_;
+    float cell_size_;
+    GLuint flake_mass_ = 0;
+    bool same_mass_ = true;  // all through the run, so that the sum can be checked
     GlObject buffer_;
 };
