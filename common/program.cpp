@@ -105,11 +105,11 @@ Program::Program(const std::vector<Stage>& stages, const std::vector<const char*
 
 GLint Program::location(const char* name)
 {
+    const auto known = locations_.find(name);
+    if (known != locations_.end()) return known->second;
     const GLint location = glGetUniformLocation(id_, name);
-    if (location < 0 && reported_.insert(name).second) {
-        std::cerr << files_ << " use no uniform named " << name << std::endl;
-    }
-    return location;
+    if (location < 0) std::cerr << files_ << " use no uniform named " << name << std::endl;
+    return locations_[name] = location;
 }
 
 void Program::set(const char* name, int value)

@@ -3,8 +3,9 @@
 
 #include <GL/glew.h>
 
+#include <functional>
 #include <glm/glm.hpp>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,8 @@ private:
     GLint location(const char* name);
 
     GlObject id_;
-    std::string files_;  // for messages
-    std::set<std::string> reported_;
+    std::string files_;                                    // for messages
+    std::map<std::string, GLint, std::less<>> locations_;  // of the uniforms set so far
 };
 
 // Makes `weather` the contents of every program's uniform block WeatherBlock. Call it again after a
