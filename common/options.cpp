@@ -120,6 +120,10 @@ Options parse_options(int argc, char** argv, Step step)
     app.add_option("--screenshot", options.screenshot, "write the last frame to this PNG file");
     app.add_option("--dump", options.dump,
                    "write all flakes to this CSV file after the last frame");
+    if (options.step.has_cover) {
+        app.add_option("--dump-cover", options.dump_cover,
+                       "write the mass of lying snow, cell by cell, to this CSV file");
+    }
     app.add_flag("--debug", options.debug, "OpenGL debug context, messages to stderr");
     app.footer(parameters_help(snow::make_weather("snow", 0, 0)) + "\n" + keys_help + "\n");
 
@@ -139,13 +143,11 @@ Options parse_options(int argc, char** argv, Step step)
     if (options.step.has_scene && options.scene.empty()) {
         options.scene = find_file("common/assets/courtyard.obj");
     }
-    for (const auto& output : {options.screenshot, options.dump, options.csv}) {
+    for (const auto& output : {options.screenshot, options.dump, options.dump_cover, options.csv}) {
         if (!output.empty()) check_writable(output);
     }
     if (options.benchmark && app.count("--warmup") == 0) options.warmup = 60;
     // What is to be written after the last frame needs a last frame.
-    if (!options.frames &&
-        (options.benchmark || !options.screenshot.empty() || !options.dump.empty()))
-        options.frames = 300;
+    if (!options.frames && options.reproducible()) options.frames = 300;
     return options;
 }

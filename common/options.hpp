@@ -16,6 +16,7 @@ struct Step {
     double least_gl;                           // OpenGL version, 3.3
     std::vector<std::string> variants;         // the first is the default
     bool has_scene = false;                    // takes --scene, --voxels and --up
+    bool has_cover = false;                    // takes --dump-cover
     bool fixed_points = false;                 // takes --groups and --point-size
     std::vector<const char*> extensions = {};  // needed besides the version
 };
@@ -35,13 +36,14 @@ struct Options {
     unsigned groups = 2;    // pieces in which the pool is drawn
     float point_size = 1;   // pixels, of emitter 0's flakes; emitter 1's are twice as wide
     bool benchmark = false;
-    std::filesystem::path screenshot, dump, csv;
+    std::filesystem::path screenshot, dump, dump_cover, csv;
     bool debug = false;
 
     // One physics step a frame, so that a run can be repeated exactly?
     bool reproducible() const
     {
-        return !realtime && (benchmark || frames || !screenshot.empty() || !dump.empty());
+        return !realtime &&
+               (benchmark || frames || !screenshot.empty() || !dump.empty() || !dump_cover.empty());
     }
 
     // The first flake of a group; of group `groups`, one past the last of all.

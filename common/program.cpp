@@ -54,10 +54,11 @@ std::string first_error(const std::string& log, const std::vector<std::string>& 
     return files.front() + ": " + log.substr(0, log.find('\n'));
 }
 
-GlObject compile(const Stage& stage)
+GlObject compile(const Stage& stage, std::string& all_sources)
 {
     std::vector<std::string> files;
     const std::string source = assemble(stage.file, files);
+    all_sources += source;
     GlObject shader(glCreateShader(stage.type), [](GLuint id) { glDeleteShader(id); });
     const char* text = source.c_str();
     glShaderSource(shader, 1, &text, nullptr);
@@ -80,7 +81,7 @@ Program::Program(const std::vector<Stage>& stages, const std::vector<const char*
     : id_(glCreateProgram(), [](GLuint id) { glDeleteProgram(id); })
 {
     for (const Stage& stage : stages) {
-        const GlObject shader = compile(stage);
+        const GlObject shader = compile(stage, sources_);
         glAttachShader(id_, shader);  // from here on it lives as long as the program
         files_ += (files_.empty() ? "" : " + ") + stage.file;
     }
@@ -108,7 +109,9 @@ GLint Program::location(const char* name)
     const auto known = locations_.find(name);
     if (known != locations_.end()) return known->second;
     const GLint location = glGetUniformLocation(id_, name);
-    if (location < 0) std::cerr << files_ << " use no uniform named " << name << std::endl;
+    if (location < 0 && sources_.find(name) == std::string::npos) {
+        std::cerr << files_ << " have no uniform named " << name << std::endl;
+    }
     return locations_[name] = location;
 }
 

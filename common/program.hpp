@@ -27,8 +27,8 @@ public:
 
     void use() const { glUseProgram(id_); }
 
-    // Set a uniform of this program, which must be in use. A name that the program does not have
-    // (any more: compilers drop unused ones) is reported once on stderr.
+    // Set a uniform of this program, which must be in use. A name that stands nowhere in
+    // its sources is reported once on stderr; one that does may have been dropped as unused.
     void set(const char* name, int value);
     void set(const char* name, unsigned value);
     void set(const char* name, float value);
@@ -40,7 +40,7 @@ private:
     GLint location(const char* name);
 
     GlObject id_;
-    std::string files_;                                    // for messages
+    std::string files_, sources_;                          // for messages
     std::map<std::string, GLint, std::less<>> locations_;  // of the uniforms set so far
 };
 

@@ -40,6 +40,9 @@ struct Weather {
     uint seed;
     float variation;  // relative spread of speed, diameter and lifetime from flake to flake
     float snowfall;   // m of depth a minute that lie on open ground, where snow accumulates
+    float temperature;  // degrees Celsius; above 0 the snow that lies melts
+    float repose;       // degrees, the steepest slope on which snow lies (its angle of repose)
+    vec2 unused;        // fills the row of four
     Emitter emitters[2];
 };
 

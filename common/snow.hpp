@@ -13,7 +13,7 @@ using namespace glm;
 
 static_assert(sizeof(Particle) == 32 && offsetof(Particle, velocity) == 16,
               "eight floats, no gaps");
-static_assert(sizeof(Emitter) == 32 && sizeof(Weather) == 144, "the layout std140 gives them");
+static_assert(sizeof(Emitter) == 32 && sizeof(Weather) == 160, "the layout std140 gives them");
 
 // Largest pool a program accepts: 1.6 GB of flakes, and an index that a GLsizei holds.
 constexpr uint max_particles = 50'000'000;

@@ -24,6 +24,10 @@ std::span<const Parameter> weather_parameters()
          [](Weather& w) -> float& { return w.variation; }},
         {"snowfall", "m/min", 0, 10, "depth that comes to lie on open ground (step 6)",
          [](Weather& w) -> float& { return w.snowfall; }},
+        {"temperature", "C", -30, 30, "of the air; above 0 the snow that lies melts (step 6)",
+         [](Weather& w) -> float& { return w.temperature; }},
+        {"repose", "degrees", 5, 80, "steepest slope on which snow lies (step 6)",
+         [](Weather& w) -> float& { return w.repose; }},
         {"speed_0", "m/s", 0.1f, 300, "mean terminal speed of emitter 0's flakes",
          [](Weather& w) -> float& { return w.emitters[0].terminal_speed; }},
         {"speed_1", "m/s", 0.1f, 300, "mean terminal speed of emitter 1's flakes",
@@ -50,6 +54,8 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.seed = seed;
     weather.variation = 0.15f;
     weather.snowfall = 0.1f;  // a blizzard, so that there is something to see within a minute
+    weather.temperature = -2;
+    weather.repose = 38;  // of fresh snow
     // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the
     // pool are in the air for the same time and release in equal share (pool = rate x flight time,
     // Patrick 2000, 4.2.2.1). Snow falls at 1-2 m/s. Flakes are drawn some ten times too large, or

@@ -13,6 +13,7 @@
 #include "step03_shader_points/particle_layout.hpp"
 #include "step05_collision/ledger.hpp"
 #include "step05_collision/scene_collider.hpp"
+#include "step06_accumulation/columns.hpp"
 #include "step06_accumulation/snow_cover.hpp"
 
 using namespace snow;
@@ -23,6 +24,7 @@ const Step this_step = {
     .least_gl = 4.3,
     .variants = {"cells"},
     .has_scene = true,
+    .has_cover = true,
 };
 
 // From the first flake to the last frame, or until the panel asks for other flakes.
@@ -51,6 +53,7 @@ void run(Window& window)
     const VoxelGrid grid = voxelise(scene, options.voxels);
     const GlObject voxels = upload_voxels(grid);
     SnowCover cover(grid);
+    Columns columns(grid);
     const Ledger ledger;
 
     GlObject weather_block = upload_weather(weather);
@@ -88,6 +91,12 @@ void run(Window& window)
             }
         }
         {
+            const auto stage = window.stage("accumulate");
+            for (uint done = step - uint(window.steps()); done < step; ++done) {
+                columns.update(done, grid, voxels, weather);
+            }
+        }
+        {
             const auto stage = window.stage("scene");
             surface.use();
             set_voxels(surface, grid, voxels);
@@ -115,7 +124,9 @@ void run(Window& window)
     glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)),
                        flakes.data());
     dump_flakes(options.dump, flakes);
-    cover.print(ledger.print(flakes));
+    const std::vector<GLuint> mass = cover.read();
+    cover.print(mass, columns.melted(), ledger.print(flakes));
+    dump_cover(options.dump_cover, grid, mass);
 }
 
 int main(int argc, char** argv)

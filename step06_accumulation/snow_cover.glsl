@@ -22,3 +22,19 @@ bool solid(ivec3 cell)
 {
     return in_scene(cell) || mass_in(cell) >= full_cell;
 }
+
+// Adds to a cell as much as it still holds, and what is over to the cells above.
+void add_snow(ivec3 cell, uint amount)
+{
+    const int most_layers = 256;
+    for (int layer = 0; layer < most_layers && amount > 0u && in_grid(cell); ++layer) {
+        // Between these two lines other flakes may see the cell too full; in the end it is not.
+        uint sum = atomicAdd(mass[mass_index(cell)], amount) + amount;
+        uint over = sum > full_cell && layer + 1 < most_layers && in_grid(cell + ivec3(0, 1, 0))
+                        ? min(amount, sum - full_cell)
+                        : 0u;
+        if (over > 0u) atomicAdd(mass[mass_index(cell)], 0u - over);
+        amount = over;
+        cell.y += 1;
+    }
+}

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "common/files.hpp"
 #include "common/gl_object.hpp"
 #include "common/snow.hpp"
 #include "step05_collision/voxel_grid.hpp"
@@ -52,18 +55,24 @@ public:
         return flake_mass_ = now;
     }
 
-    // Reads the grid back and prints whether it holds what was deposited. For the end, never in a
-    // frame.
-    void print(GLuint deposited) const
+    // The mass in every cell, x fastest, then y. For the end, never in a frame.
+    std::vector<GLuint> read() const
     {
         std::vector<GLuint> mass(cells_);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_);
         glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(bytes()), mass.data());
+        return mass;
+    }
+
+    // Prints the line in which the mass that lies and the mass that has melted make up what the
+    // flakes have deposited.
+    void print(const std::vector<GLuint>& mass, GLuint64 melted, GLuint deposited) const
+    {
         uint64_t sum = 0;
         for (const GLuint cell : mass) sum += cell;
-        std::cout << "cover: mass " << sum << (same_mass_ ? " = deposited " : ", deposited ")
-                  << deposited
+        std::cout << "cover: lying " << sum << " + melted " << melted
+                  << (same_mass_ ? " = deposited " : ", deposited ") << deposited
                   << (same_mass_ ? " x " + std::to_string(flake_mass_) : " flakes of changing mass")
                   << std::endl;
     }
@@ -77,3 +86,22 @@ private:
     bool same_mass_ = true;  // all through the run, so that the sum can be checked
     GlObject buffer_;
 };
+
+// Writes one line for every cell that holds snow, `i,j,k,mass`, after one that says where cell (0,
+// 0, 0) begins and how large cells are, m. Does nothing if `path` is empty. Throws
+// std::runtime_error.
+inline void dump_cover(const std::filesystem::path& path, const VoxelGrid& grid,
+                       const std::vector<GLuint>& mass)
+{
+    if (path.empty()) return;
+    std::ostringstream csv;
+    csv << "# origin " << grid.origin.x << " " << grid.origin.y << " " << grid.origin.z << " cell "
+        << grid.cell_size << " full 65536\ni,j,k,mass\n";
+    const size_t n = size_t(grid.resolution);
+    for (size_t cell = 0; cell < mass.size(); ++cell) {
+        if (mass[cell] == 0) continue;
+        csv << cell % n << "," << cell / n % n << "," << cell / (n * n) << "," << mass[cell]
+            << "\n";
+    }
+    write_file(path, csv.str());
+}

@@ -1,0 +1,58 @@
+// What happens to the snow that lies, on the GPU, column by column: it slides, and it melts.
+#pragma once
+
+#include <GL/glew.h>
+
+#include "common/program.hpp"
+#include "step05_collision/scene_collider.hpp"
+
+class Columns {
+public:
+    explicit Columns(const VoxelGrid& grid)
+        : columns_(unsigned(grid.resolution * grid.resolution)),
+          settle_({{GL_COMPUTE_SHADER, "step06_accumulation/settle.comp"}}),
+          melt_({{GL_COMPUTE_SHADER, "step06_accumulation/melt.comp"}}), meltwater_(make_buffer())
+    {
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, meltwater_);
+        const GLuint zero[2] = {0, 0};
+        glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof zero, zero, GL_DYNAMIC_COPY);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, meltwater_);
+    }
+
+    // Gives a part of the columns their turn; `step` says which.
+    void update(unsigned step, const VoxelGrid& grid, GLuint voxels, const snow::Weather& weather)
+    {
+        const unsigned part = columns_ / turns;
+        dispatch(settle_, step % turns * part, part, grid, voxels);
+        if (weather.temperature <= 0) return;
+        melt_.use();
+        melt_.set("seconds", turns * weather.time_step);
+        dispatch(melt_, step % turns * part, part, grid, voxels);
+    }
+
+    // Mass melted so far. For the end, never in a frame.
+    GLuint64 melted() const
+    {
+        GLuint words[2];
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, meltwater_);
+        glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof words, words);
+        return words[0] + (GLuint64(words[1]) << 32);
+    }
+
+private:
+    static constexpr unsigned turns = 64;  // steps in a round
+
+    void dispatch(Program& program, unsigned first, unsigned count, const VoxelGrid& grid,
+                  GLuint voxels)
+    {
+        program.use();
+        set_voxels(program, grid, voxels);
+        program.set("first_column", first);
+        glDispatchCompute(count / 64, 1, 1);  // 64: local_size_x of the shaders
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+
+    unsigned columns_;
+    Program settle_, melt_;
+    GlObject meltwater_;
+};

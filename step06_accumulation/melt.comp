@@ -1,0 +1,24 @@
+#version 430 core
+// Snow melts where it lies open to the air, the faster the warmer it is.
+
+#include "common/snow.glsl"
+#include "step06_accumulation/column.glsl"
+
+layout(std140) uniform WeatherBlock { Weather weather; };
+layout(std430, binding = 2) buffer Meltwater { uint melted_mass[]; };  // two words: low, high
+
+uniform float seconds;  // since this column's last turn
+
+void main()
+{
+    const float rate = 0.01 / 60.0;  // m/s for each degree: a thaw that can be watched
+    uint most = uint(max(weather.temperature, 0.0) * rate * seconds / cell_size * float(full_cell));
+    ivec3 cell = foot_of_column();
+    for (; cell.y < resolution; ++cell.y) {
+        if (!is_surface(cell)) continue;
+        uint amount = min(most, mass_in(cell));
+        atomicAdd(mass[mass_index(cell)], 0u - amount);
+        uint before = atomicAdd(melted_mass[0], amount);
+        if (before + amount < before) atomicAdd(melted_mass[1], 1u);  // carry
+    }
+}
