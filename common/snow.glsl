@@ -38,11 +38,12 @@ struct Weather {
     uint particles;  // flakes in the pool: the first half belongs to emitter 0, the rest to emitter
                      // 1
     uint seed;
-    float variation;  // relative spread of speed, diameter and lifetime from flake to flake
-    float snowfall;   // m of depth a minute that lie on open ground, where snow accumulates
+    float variation;    // relative spread of speed, diameter and lifetime from flake to flake
+    float snowfall;     // m of depth a minute that lie on open ground, where snow accumulates
     float temperature;  // degrees Celsius; above 0 the snow that lies melts
     float repose;       // degrees, the steepest slope on which snow lies (its angle of repose)
-    vec2 unused;        // fills the row of four
+    float gusts;        // largest change of the wind in a gust, relative (step 6)
+    float unused;       // fills the row of four
     Emitter emitters[2];
 };
 
@@ -162,10 +163,11 @@ INLINE Particle settle(Particle p, IN(Weather) weather)
 // Explicit Euler, second half: v' = v + dt (a + r). a is gravity less the drag of the air,
 // quadratic in the speed u relative to it and equal to gravity at terminal speed: a = g - |g| |u| u
 // / terminal^2. r is a random push that lasts 16 steps, the flutter of a flake.
-INLINE Particle accelerate(Particle p, uint index, uint step, IN(Weather) weather)
+// air: the velocity of the air around the flake, m/s.
+INLINE Particle accelerate_in(vec3 air, Particle p, uint index, uint step, IN(Weather) weather)
 {
     float terminal = terminal_speed(index, weather);
-    vec3 u = p.velocity - weather.wind;
+    vec3 u = p.velocity - air;
     // No drag stops a flake in less than one step: beyond that limit Euler's method would overshoot
     // and, in a strong gust, explode.
     float drag =
@@ -176,6 +178,12 @@ INLINE Particle accelerate(Particle p, uint index, uint step, IN(Weather) weathe
     vec3 r = weather.turbulence * (push * (2.0f / 1023.0f) - 1.0f);
     p.velocity += (airborne(p) ? weather.time_step : 0.0f) * (weather.gravity - drag * u + r);
     return p;
+}
+
+// The same where the wind is the same everywhere.
+INLINE Particle accelerate(Particle p, uint index, uint step, IN(Weather) weather)
+{
+    return accelerate_in(weather.wind, p, index, step, weather);
 }
 
 // What is left of a flake's time to lie on a surface, s.

@@ -16,6 +16,8 @@ std::span<const Parameter> weather_parameters()
          [](Weather& w) -> float& { return w.wind.x; }},
         {"wind_z", "m/s", -30, 30, "wind towards +z",
          [](Weather& w) -> float& { return w.wind.z; }},
+        {"gusts", "", 0, 2, "largest change of the wind in a gust, relative (step 6)",
+         [](Weather& w) -> float& { return w.gusts; }},
         {"melt_time", "s", 0, 600, "time a flake lies on a surface",
          [](Weather& w) -> float& { return w.melt_time; }},
         {"lifetime", "s", 0.1f, 600, "mean time after which a flake is lost",
@@ -54,6 +56,7 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.seed = seed;
     weather.variation = 0.15f;
     weather.snowfall = 0.1f;  // a blizzard, so that there is something to see within a minute
+    weather.gusts = 0.3f;
     weather.temperature = -2;
     weather.repose = 38;  // of fresh snow
     // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the

@@ -15,6 +15,7 @@
 #include "step05_collision/scene_collider.hpp"
 #include "step06_accumulation/columns.hpp"
 #include "step06_accumulation/snow_cover.hpp"
+#include "step06_accumulation/wind_field.hpp"
 
 using namespace snow;
 
@@ -52,6 +53,7 @@ void run(Window& window)
     const SceneMesh mesh(scene);
     const VoxelGrid grid = voxelise(scene, options.voxels);
     const GlObject voxels = upload_voxels(grid);
+    const WindField wind(grid);
     SnowCover cover(grid);
     Columns columns(grid);
     const Ledger ledger;
@@ -76,6 +78,7 @@ void run(Window& window)
             const auto stage = window.stage("update");
             update.use();
             set_voxels(update, grid, voxels);
+            wind.set(update);
             update.set("flake_mass", cover.flake_mass(weather));
             for (int n = 0; n < window.steps(); ++n, ++step) {
                 update.set("step_number", step);

@@ -5,6 +5,7 @@
 #include "step05_collision/ledger.glsl"
 #include "step06_accumulation/snow_cover.glsl"
 #include "step05_collision/voxel_walk.glsl"
+#include "step06_accumulation/wind_field.glsl"
 
 uniform uint flake_mass;  // units
 
@@ -45,7 +46,8 @@ void main()
     uint index = uint(gl_VertexID);
     Particle p = settle(move(load_flake(), weather), weather);
     if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather.time_step);
-    p = accelerate(p, index, step_number, weather);
+    vec3 air = wind_at(p.position, step_number, weather);
+    p = accelerate_in(air, p, index, step_number, weather);
     if (gone(p, index, weather)) {
         bool has_melted = melt_left(p, weather) < 0.0;
         if (old_age >= 0.0) {
