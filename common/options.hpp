@@ -24,7 +24,7 @@ struct Step {
 struct Options {
     Step step;
     std::string variant;
-    snow::Weather weather;          // with particles, seed and every --set already in it
+    snow::Weather weather{};        // with particles, seed and every --set already in it
     std::filesystem::path scene;    // where has_scene: the courtyard unless given
     char up = 'y';                  // the axis that points up in the scene file
     int voxels = 256;               // along the longest axis of the scene

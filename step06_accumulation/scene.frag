@@ -7,6 +7,7 @@
 in vec3 world_position;
 in vec3 world_normal;
 in vec3 base_colour;
+in vec3 snow_normal;
 in float snow_depth;
 
 out vec4 colour;
@@ -26,8 +27,6 @@ void main()
 {
     const vec3 snow_colour = vec3(0.90, 0.93, 0.97);
     float cover = snow_cover();
-    // The snow's own surface: what lies one pixel to the right and one pixel up spans it.
-    vec3 snow_normal = normalize(cross(dFdx(world_position), dFdy(world_position)));
-    vec3 surface_normal = normalize(mix(normalize(world_normal), snow_normal, cover));
+    vec3 surface_normal = normalize(mix(normalize(world_normal), normalize(snow_normal), cover));
     colour = vec4(lit(mix(base_colour, snow_colour, cover), surface_normal, world_position), 1.0);
 }

@@ -14,6 +14,7 @@ layout(location = 3) in float upward;  // is there a surface here that snow can 
 out vec3 world_position;  // m, on top of the snow
 out vec3 world_normal;    // of the surface without snow
 out vec3 base_colour;
+out vec3 snow_normal;     // of the snow upon it
 out float snow_depth;     // m
 
 // Depth of the snow, m, in the column of `cell`, on the first surface at or above that cell.
@@ -30,21 +31,25 @@ float column_depth(ivec3 cell)
     return cells * cell_size;
 }
 
-// The same at a point, blended between the four nearest columns.
-float depth_at(vec3 point)
+// At a point, blended between the four nearest columns: x the depth, m; yz how it rises along x and z.
+vec3 depth_at(vec3 point)
 {
     vec3 place = (point - grid_origin) / cell_size - vec3(0.5, 0.0, 0.5);  // 0.5: a column's middle
     ivec3 cell = ivec3(floor(place));
     vec2 part = fract(place.xz);
-    return mix(mix(column_depth(cell), column_depth(cell + ivec3(1, 0, 0)), part.x),
-               mix(column_depth(cell + ivec3(0, 0, 1)), column_depth(cell + ivec3(1, 0, 1)), part.x), part.y);
+    float a = column_depth(cell), b = column_depth(cell + ivec3(1, 0, 0));
+    float c = column_depth(cell + ivec3(0, 0, 1)), d = column_depth(cell + ivec3(1, 0, 1));
+    return vec3(mix(mix(a, b, part.x), mix(c, d, part.x), part.y),
+                mix(b - a, d - c, part.y) / cell_size, mix(c - a, d - b, part.x) / cell_size);
 }
 
 void main()
 {
-    snow_depth = upward > 0.1 ? depth_at(position) : 0.0;
+    vec3 depth = upward > 0.1 ? depth_at(position) : vec3(0.0);
+    snow_depth = depth.x;
     world_position = position + vec3(0.0, snow_depth, 0.0);
     world_normal = normal;
+    snow_normal = normalize(normal / max(normal.y, 0.2) - vec3(depth.y, 0.0, depth.z));
     base_colour = colour;
     gl_Position = projection * view * vec4(world_position, 1.0);
 }

@@ -143,7 +143,7 @@ AirFlow flow_around(const VoxelGrid& grid, vec3 wind)
     };
     direction = rest;
     double squared = dot(rest, rest);
-    for (int iteration = 0; iteration < 500 && squared > 1e-9; ++iteration) {
+    for (int iteration = 0; iteration < 500 && squared > 1e-7; ++iteration) {
         apply(direction, image);
         const float length = float(squared / dot(direction, image));
         for (size_t i = 0; i < count; ++i) {
