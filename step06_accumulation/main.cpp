@@ -61,6 +61,8 @@ void run(Window& window)
     GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, "step06_accumulation/update.vert"}},
                    {"position", "age", "velocity", "rest"});
+    Program backdrop({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
+                      {GL_FRAGMENT_SHADER, "step06_accumulation/sky.frag"}});
     Program surface({{GL_VERTEX_SHADER, "step06_accumulation/scene.vert"},
                      {GL_FRAGMENT_SHADER, "step06_accumulation/scene.frag"}});
     Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
@@ -98,6 +100,18 @@ void run(Window& window)
             for (uint done = step - uint(window.steps()); done < step; ++done) {
                 columns.update(done, grid, voxels, weather);
             }
+        }
+        {
+            const auto stage = window.stage("sky");
+            backdrop.use();
+            backdrop.set("to_world", inverse(window.projection() * window.view()));
+            backdrop.set("window_size", window.size());
+            backdrop.set("field_depth", float(step) * weather.time_step * weather.snowfall / 60.0f);
+            backdrop.set("eye", window.eye());
+            backdrop.set("fog", sky);
+            glDepthMask(GL_FALSE);  // everything else is nearer
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+            glDepthMask(GL_TRUE);
         }
         {
             const auto stage = window.stage("scene");
