@@ -309,8 +309,13 @@ void Window::on_reshape(int width, int height)
     the_window->size_ = {std::max(width, 1), std::max(height, 1)};
 }
 
-int report_failure(const std::exception& failure)
-{
+int run_step(int argc, char** argv, const Step& step, void (*run)(Window&))
+try {
+    Window window(parse_options(argc, argv, step));
+    do run(window);
+    while (window.again());
+    return 0;
+} catch (const std::exception& failure) {
     std::cerr << "error: " << failure.what() << std::endl;
     return 1;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <exception>
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
@@ -78,5 +77,7 @@ private:
     unsigned drawn_at_last_title_ = 0;
 };
 
-// Says on stderr, in one line, why the program cannot run. Returns its exit status, 1.
-int report_failure(const std::exception& failure);
+// The whole of a step's program: takes the command line, opens the window, and calls `run` until
+// the user has had enough. Returns the exit status: 0 done, 1 cannot run, after one line on stderr
+// that says why. (A wrong command line ends the program with 2.)
+int run_step(int argc, char** argv, const Step& step, void (*run)(Window&));

@@ -103,11 +103,6 @@ void run(Window& window)
 }
 
 int main(int argc, char** argv)
-try {
-    Window window(parse_options(argc, argv, this_step));
-    do run(window);
-    while (window.again());
-    return 0;
-} catch (const std::exception& failure) {
-    return report_failure(failure);
+{
+    return run_step(argc, argv, this_step, run);
 }
