@@ -19,15 +19,28 @@ fs::path executable_folder()
     return error ? fs::current_path() : executable.parent_path();           // current folder serves
 }
 
-fs::path part_of(fs::path path)
+// Where a file is written first. Beside what a link points to, so that the link stays a link; and
+// at once to what is no file at all: /dev/null is not to be replaced by one.
+fs::path part_of(const fs::path& path)
 {
-    return path += ".part";
+    fs::path target = path;
+    if (fs::is_symlink(path)) {
+        target =
+            fs::exists(path) ? fs::canonical(path) : path.parent_path() / fs::read_symlink(path);
+    }
+    if (fs::exists(target) && !fs::is_regular_file(target)) return target;
+    return target += ".part";
+}
+
+void remove_part(const fs::path& path)
+{
+    std::error_code ignored;
+    if (fs::is_regular_file(part_of(path), ignored)) fs::remove(part_of(path), ignored);
 }
 
 [[noreturn]] void cannot_write(const fs::path& path, const std::string& reason)
 {
-    std::error_code ignored;
-    fs::remove(part_of(path), ignored);
+    remove_part(path);
     throw std::runtime_error("cannot write " + path.string() + ": " + reason +
                              " (choose a folder that exists and is yours to write)");
 }
@@ -72,17 +85,19 @@ void check_writable(const fs::path& path)
     errno = 0;
     const bool opened = std::ofstream(part_of(path), std::ios::app | std::ios::binary).is_open();
     if (!opened) cannot_write(path, std::strerror(errno));
-    fs::remove(part_of(path));
+    remove_part(path);
 }
 
 void write_file(const fs::path& path, std::string_view bytes)
 {
+    const fs::path part = part_of(path);
     errno = 0;
-    std::ofstream file(part_of(path), std::ios::binary | std::ios::trunc);
+    std::ofstream file(part, std::ios::binary | std::ios::trunc);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
     if (!file) cannot_write(path, std::strerror(errno));
+    if (part.extension() != ".part") return;  // written where it belongs
     std::error_code error;
-    fs::rename(part_of(path), path, error);
+    fs::rename(part, fs::path(part).replace_extension(), error);
     if (error) cannot_write(path, error.message());
 }
