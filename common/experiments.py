@@ -1,0 +1,301 @@
+"""The experiments of the documents that the series follows, to be run again on any machine.
+
+Each says which programs it starts (`runs`), what its source found and, from the times measured,
+what was found here (`found`). compare.py starts the programs and writes the files.
+"""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable, Optional, Tuple
+
+FRAMES = 120  # that count in each run, unless an experiment needs fewer
+# Flakes of the preset snow fall for 8 s and lie for 4 s, and their first births are spread over
+# those 12 s. Only then is the snowfall as dense as it will be, and its frames as slow.
+CYCLE = 12                 # s
+STEADY = 60 * CYCLE        # frames of 1/60 s
+
+
+@dataclass(frozen=True)
+class Run:
+    """One start of a program, and where its frame time belongs on the chart."""
+
+    step: str             # folder and program, "step02_vbo"
+    particles: int
+    line: str             # name of the line on the chart
+    x: float              # where on that line
+    variant: str = ""     # the program's default unless given
+    options: Tuple[str, ...] = ()  # more of the program's command line
+    size: str = ""        # WxH of the window; the experiment's unless given
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """What to run, what it was like for those who did it first, and what it shows here."""
+
+    name: str             # of --experiment and of the files
+    title: str
+    x_label: str
+    runs: Callable        # (software, folder) -> [Run]; files that the runs need go into folder
+    source: str = ""      # one sentence
+    found: Optional[Callable] = None  # lines -> one sentence; LookupError: too little measured
+    size: str = "1280x720"
+    warmup: Tuple[int, int] = (STEADY, STEADY)  # frames; on a graphics card, in software
+    frames: Tuple[int, int] = (FRAMES, FRAMES)
+    reference: Tuple[str, tuple] = ("", ())     # the source's own curve: its name, (x, ms) pairs
+    stages_only: bool = False  # no frame times against x, just the stages as parts of the frame
+
+
+# ---- Sentences. `lines` is {line: {x: Point}}; a Point has median, low, high and stages.
+
+def common_x(lines, *names):
+    """The x, in order, at which each of the lines called `names` has a point; at least one."""
+    common = sorted(set.intersection(*(set(lines[name]) for name in names)))
+    if not common:
+        raise LookupError(f"{names} have no x in common")
+    return common
+
+
+def difference(after, before):
+    """How much more `after` is than `before`, in words."""
+    factor = after / before
+    if factor >= 2 or factor <= 0.5:
+        return f"{factor:.3g} times as much"
+    return f"{100 * (factor - 1):+.0f} %"
+
+
+def compared(after, before):
+    """How much longer the frames of one point are than another's, and whether that means much."""
+    text = difference(after.median, before.median)
+    if after.low <= before.high and before.low <= after.high:
+        text += ", no more than from repeat to repeat"
+    return text
+
+
+def growth(lines, name, what):
+    """One clause: how the frame time of a line changes from its first x to its last."""
+    xs = sorted(lines[name])
+    if len(xs) < 2:
+        raise LookupError(f"{name} has too few points")
+    first, last = lines[name][xs[0]], lines[name][xs[-1]]
+    return (f"{name}: from {xs[0]:,} to {xs[-1]:,} {what} a frame goes from {first.median:.2f} to "
+            f"{last.median:.2f} ms ({compared(last, first)})")
+
+
+def share(point, stage):
+    """What part of a frame's stages, in per cent, one takes on the processor that is busier."""
+    times = busiest(point.stages)
+    total = sum(times.values())
+    if not total:
+        raise LookupError("no stage took any time")
+    return 100 * times.get(stage, 0) / total
+
+
+def busiest(stages):
+    """{stage: ms} of the clock that ran longest: CPU, GPU, or both together where synchronised."""
+    clocks = {}
+    for (stage, clock), time in stages.items():
+        clocks.setdefault(clock, {})[stage] = time
+    return max(clocks.values(), key=lambda times: sum(times.values()), default={})
+
+
+# ---- Jorgensen: loops and crystals.
+
+JORGENSEN = 'Jorgensen ("Particles System: Snow")'
+
+
+def variants_of_step_1(variants, counts):
+    return [Run("step01_cpu_points", count, variant, count, variant)
+            for count in counts for variant in variants]
+
+
+def loops_found(lines):
+    x = common_x(lines, "one-loop", "three-loops")[-1]
+    one, three = lines["one-loop"][x], lines["three-loops"][x]
+    sentence = (f"at {x:,} flakes a frame takes {one.median:.2f} ms with one loop and "
+                f"{three.median:.2f} ms with three ({compared(three, one)})")
+    updates = [busiest(point.stages).get("update", 0) for point in (one, three)]
+    if all(updates):
+        sentence += (f", the update alone {updates[0]:.2f} and {updates[1]:.2f} ms "
+                     f"({difference(updates[1], updates[0])})")
+    return sentence
+
+
+def hexagons_found(lines):
+    common = common_x(lines, "one-loop", "hexagons")
+    x = 10000 if 10000 in common else common[-1]
+    points, hexagons = lines["one-loop"][x], lines["hexagons"][x]
+    return (f"at {x:,} flakes a frame takes {hexagons.median:.2f} ms "
+            f"({1000 / hexagons.median:.0f} fps) with hexagons and {points.median:.2f} ms "
+            f"({1000 / points.median:.0f} fps) with points ({compared(hexagons, points)})")
+
+
+# ---- Patrick: four sweeps, one at a time, in a window of 500 by 500.
+
+PATRICK = 'Patrick ("An Investigation of Snow Effects", 2000'
+SWEEP_FLAKES = 20000  # the programs' default
+
+
+def window_sizes(_software, _folder):
+    return [Run("step02_vbo", particles, line, edge * edge, size=f"{edge}x{edge}")
+            for edge in (250, 500, 750, 1000)
+            for particles, line in ((0, "empty window"), (SWEEP_FLAKES, "20,000 flakes"))]
+
+
+def point_sizes(_software, _folder):
+    return [Run("step02_vbo", SWEEP_FLAKES, "20,000 flakes", pixels,
+                options=("--point-size", str(pixels)))
+            for pixels in (1, 2, 3, 4, 8)]
+
+
+def release_rates(_software, _folder):
+    # As many a frame as she released, and then some for a machine of today.
+    return [Run("step02_vbo", rate * STEADY, "step 2", rate) for rate in (1, 2, 5, 10, 20, 100)]
+
+
+def groups(_software, _folder):
+    return [Run(step, SWEEP_FLAKES, line, count, options=("--groups", str(count)))
+            for count in (1, 2, 4, 16, 64, 256)
+            for step, line in (("step01_cpu_points", "step 1"), ("step02_vbo", "step 2"))]
+
+
+def every_line(what):
+    """A `found` that says of each line how it grows."""
+    return lambda lines: "; ".join(growth(lines, name, what) for name in lines)
+
+
+# ---- Hitchen: flakes against triangles.
+
+HITCHEN = 'Hitchen ("Simulating Snowfall and Accumulation Through the GPU", 2019'
+HITCHEN_FRAMES = tuple((flakes, 1000 / fps) for flakes, fps in (  # appendix A, a tenth of its rows
+    (10000, 686.487), (20000, 637.819), (50000, 455.919), (100000, 301.247), (200000, 181.103),
+    (300000, 134.194), (500000, 87.0325), (700000, 64.0603), (1000000, 46.0061)))
+
+
+def write_height_field(path, triangles):
+    """Writes gentle hills, the same however many `triangles` (an even number) show them, as OBJ."""
+    quads = triangles // 2
+    rows = max(n for n in range(1, math.isqrt(quads) + 1) if quads % n == 0)
+    columns = quads // rows
+    with open(path, "w", encoding="ascii") as file:
+        for row in range(rows + 1):
+            for column in range(columns + 1):
+                x, z = 16 * column / columns, 16 * row / rows
+                file.write(f"v {x:.5f} {1 + math.sin(x) * math.cos(z):.5f} {z:.5f}\n")
+        for row in range(rows):
+            for column in range(columns):
+                a = row * (columns + 1) + column + 1  # OBJ counts from 1
+                b = a + columns + 1
+                file.write(f"f {a} {b} {b + 1}\nf {a} {b + 1} {a + 1}\n")
+    return path
+
+
+def on_hills(step, variant, particles, triangles, folder, **where):
+    """A run on a height field, which is written unless it is there."""
+    path = Path(folder) / f"hills_{triangles}.obj"
+    if not path.exists():
+        write_height_field(path, triangles)
+    return Run(step, particles, variant=variant, options=("--scene", str(path)), **where)
+
+
+def flakes_fixed_scene(software, folder):
+    counts = (1000, 3000, 10000) if software else (10000, 30000, 100000, 300000, 1000000)
+    return [on_hills("step05_collision", variant, count, 800, folder, line=variant, x=count)
+            for count in counts for variant in ("voxels", "triangles")]
+
+
+def scene_triangles(software, folder):
+    flakes = 1000 if software else 10000
+    return [on_hills("step05_collision", variant, flakes, triangles, folder, line=variant,
+                     x=triangles)
+            for triangles in (12, 100, 1000, 10000, 70000) for variant in ("voxels", "triangles")]
+
+
+def stage_share(software, folder):
+    flakes = 3000 if software else 100000
+    return [on_hills(step, variant, flakes, 800, folder,
+                     line=f"step {int(step[4:6])} {variant}".strip(), x=flakes)
+            for step, variant in (("step05_collision", "triangles"), ("step05_collision", "voxels"),
+                                  ("step06_accumulation", ""))]
+
+
+def triangles_found(lines):
+    sentence = every_line("triangles")(lines)
+    updates = [busiest(point.stages).get("update", 0)
+               for _, point in sorted(lines["triangles"].items())]
+    if all(updates):
+        sentence += (f"; the update alone, every flake against every triangle, from "
+                     f"{updates[0]:.2f} to {updates[-1]:.2f} ms")
+    return sentence
+
+
+def share_found(lines):
+    return "of the stages' time the update takes " + ", ".join(
+        f"{share(point, 'update'):.1f} % in {name}"
+        for name, points in lines.items() for point in points.values())
+
+
+# ---- Pettersson and Jin: spawn rates.
+
+def spawn_rates(software, _folder):
+    rates = (100, 1000, 10000) if software else (1000, 10000, 100000, 300000)
+    return [Run("step04_transform_feedback", rate * CYCLE, "step 4", rate) for rate in rates]
+
+
+EXPERIMENTS = {experiment.name: experiment for experiment in (
+    Experiment(
+        "loops", "One loop over the flakes against three", "flakes",
+        lambda *_: variants_of_step_1(("one-loop", "three-loops"), (1000, 10000, 100000)),
+        f"{JORGENSEN} saw little change from three loops to one and put the slowness down to the "
+        "drawing.",
+        loops_found),
+    Experiment(
+        "hexagons", "Hexagons against points", "flakes",
+        lambda *_: variants_of_step_1(("one-loop", "hexagons"), (1000, 3000, 6000, 10000, 30000)),
+        f"{JORGENSEN} had 120 fps below 6,000 hexagons and 12 fps (83 ms) at 10,000, and found "
+        "points very much lighter.",
+        hexagons_found),
+    Experiment(
+        "window-size", "Size of the window", "pixels in the window", window_sizes,
+        f"{PATRICK}, 5.1.2) found that the size of the window affects the frame rate greatly: a "
+        "processor that draws everything itself had 9.86 fps with an empty window of 500x500.",
+        every_line("pixels")),
+    Experiment(
+        "point-size", "Size of the points", "width of emitter 0's points (pixels)", point_sizes,
+        f"{PATRICK}, 5.2.1) lost only 0.4 of some 9.6 fps (about 4 %) from points 1 pixel wide to "
+        "points of 8.",
+        every_line("pixels"), size="500x500"),
+    Experiment(
+        "release-rate", "Flakes released per frame", "flakes released per frame", release_rates,
+        f"{PATRICK}, 5.2.2) lost almost one of some 9.6 fps (about 10 %) from 1 flake released per "
+        "frame to 20.",
+        every_line("flakes per frame"), size="500x500"),
+    Experiment(
+        "groups", "Number of groups in which the flakes are drawn", "groups", groups,
+        f"{PATRICK}, 5.2.3) found one group of particles much faster than several that together "
+        "release as many.",
+        every_line("groups"), size="500x500"),
+    Experiment(
+        "flakes-fixed-scene", "Flakes over a scene of 800 triangles", "flakes",
+        flakes_fixed_scene,
+        f"{HITCHEN}, appendix A), with 794 triangles on a GTX 970, took 1.5 ms at 10,000 flakes, "
+        "3.3 ms at 100,000 and 21.7 ms at 1,000,000, each against every triangle.",
+        every_line("flakes"), reference=("Hitchen 2019,\ntriangles, GTX 970", HITCHEN_FRAMES)),
+    Experiment(
+        "scene-triangles", "Triangles in the scene", "triangles in the scene", scene_triangles,
+        f"{HITCHEN}, chart 4) found a time proportional to the triangles; with 100,000 flakes "
+        "60 fps were lost at some 3,500.",
+        triangles_found, warmup=(STEADY, 120), frames=(FRAMES, 10)),
+    Experiment(
+        "stage-share", "What a frame is spent on", "flakes", stage_share,
+        f"{HITCHEN}, chart 2) spent over 98 % of a frame on moving and colliding the flakes.",
+        share_found, stages_only=True),
+    Experiment(
+        "spawn-rate", "Flakes released per second", "flakes released per second", spawn_rates,
+        'Pettersson and Jin ("EDAN35: A Snow Particle System"), at 2560x1440 on a GTX 1080 Ti, '
+        "took 0.8 ms a frame at 1,000 and 10,000 flakes per second, 1.1 at 100,000 and 2.4 at "
+        "300,000.",
+        every_line("flakes per second"), size="2560x1440",
+        reference=("Pettersson and Jin,\nGTX 1080 Ti",
+                   ((1000, 0.8), (10000, 0.8), (100000, 1.1), (300000, 2.4)))),
+)}

@@ -1,0 +1,133 @@
+"""What all tests share: starting the programs as a user would, and reading what they leave."""
+
+import ctypes
+import functools
+import os
+import pathlib
+import subprocess
+import time
+
+import numpy
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# Every program with its variants, the default first.
+VARIANTS = {
+    "step01_cpu_points": ["one-loop", "three-loops", "hexagons"],
+    "step02_vbo": ["subdata", "orphan", "persistent"],
+    "step03_shader_points": ["disc", "texture"],
+    "step04_transform_feedback": ["feedback", "texture"],
+    "step05_collision": ["voxels", "triangles"],
+    "step06_accumulation": ["cells"],
+}
+STEPS = list(VARIANTS)
+STEP_VARIANTS = [(step, variant) for step in STEPS for variant in VARIANTS[step]]
+WITH_SCENE = [step for step in STEPS if step >= "step05"]
+
+# A hung program must fail its test, not stop the suite. Nothing here takes a tenth of this.
+PATIENCE = 300  # s
+
+# A window this small costs nothing to draw, and the physics does not depend on it.
+SMALL = ["--size", "64x64"]
+
+
+def pytest_addoption(parser):
+    parser.addoption("--build", default=os.environ.get("SNOWFALL_BUILD", ROOT / "build"),
+                     type=pathlib.Path, help="folder that holds the programs")
+    parser.addoption("--new-references", action="store_true",
+                     help="make what is drawn now the reference pictures")
+
+
+def pytest_configure(config):
+    if not os.environ.get("DISPLAY"):
+        pytest.exit("these tests open windows and DISPLAY is not set: use tests/run.sh", 1)
+    # The reference pictures are Mesa's, and nothing may be written outside the build folder.
+    os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
+    os.environ["MESA_SHADER_CACHE_DISABLE"] = "true"
+    os.environ.pop("SNOWFALL_DIR", None)
+    # An X server starts afresh when its last client leaves, in the face of the next program if that
+    # is just coming in: so one client stays.
+    ctypes.CDLL("libX11.so.6").XOpenDisplay(None)
+
+
+class Flakes:
+    """The flakes of a --dump, each quantity an array with a row for every flake."""
+
+    def __init__(self, path):
+        with open(path) as file:
+            assert file.readline() == "index,x,y,z,age,vx,vy,vz,rest\n"
+            rows = [line.split(",") for line in file]
+        rows = numpy.array(rows, dtype=float).reshape(-1, 9)
+        assert (rows[:, 0] == range(len(rows))).all()
+        self.position = rows[:, 1:4]  # m
+        self.age = rows[:, 4]         # s
+        self.velocity = rows[:, 5:8]  # m/s
+        self.rest = rows[:, 8]        # s
+        self.airborne = (self.age >= 0) & (self.rest == 0)
+
+
+class Programs:
+    """Starts the programs of one build, always in `folder`, which is not theirs."""
+
+    def __init__(self, build, folder):
+        self.build = build
+        self.folder = folder
+
+    def command(self, step, *arguments):
+        return [str(self.build / step), *map(str, arguments)]
+
+    def run(self, step, *arguments, environment=None, **more):
+        """Runs `step` to its end. `environment`: variables to set, or with None to unset."""
+        variables = {**os.environ, **(environment or {})}
+        variables = {name: value for name, value in variables.items() if value is not None}
+        return subprocess.run(self.command(step, *arguments), env=variables, text=True,
+                              capture_output=True, timeout=PATIENCE,
+                              **{"cwd": self.folder, **more})
+
+    def run_well(self, step, *arguments, **more):
+        """The same, and it must succeed without a word on stderr."""
+        result = self.run(step, *arguments, **more)
+        assert (result.returncode, result.stderr) == (0, "")
+        return result
+
+    @functools.lru_cache(maxsize=None)
+    def dump(self, step, *arguments):
+        """The bytes of the dump after a run with these arguments; each is run only once."""
+        path = self.folder / "flakes.csv"
+        self.run_well(step, *SMALL, *arguments, "--dump", path)
+        content = path.read_bytes()
+        path.unlink()
+        return content
+
+    @functools.lru_cache(maxsize=None)
+    def flakes(self, step, *arguments):
+        path = self.folder / "read.csv"
+        path.write_bytes(self.dump(step, *arguments))
+        return Flakes(path)
+
+
+@pytest.fixture(scope="session")
+def programs(request, tmp_path_factory):
+    build = request.config.getoption("build").resolve()
+    missing = [step for step in STEPS if not (build / step).is_file()]
+    if missing:
+        pytest.exit(f"{build} holds no {', '.join(missing)}: build first (tests/run.sh does)", 1)
+    return Programs(build, tmp_path_factory.mktemp("runs"))
+
+
+def fails_with_one_line(result, status, *words):
+    """Did the program end with this status and one line on stderr that has all these words?"""
+    print(result.stderr)  # pytest shows it if the test fails
+    line = result.stderr
+    return (result.returncode == status and line.endswith("\n") and line.count("\n") == 1
+            and all(str(word) in line for word in words))
+
+
+def wait_until(condition, what):
+    """Polls until `condition()` is true and returns what it returned."""
+    patience_ends = time.monotonic() + PATIENCE
+    while not (result := condition()):
+        assert time.monotonic() < patience_ends, f"waited {PATIENCE} s for {what}"
+        time.sleep(0.01)
+    return result

@@ -1,0 +1,135 @@
+"""Snow that stays (step 6): not a flake, not a unit of mass is lost, and it lies where it can."""
+
+import re
+
+import numpy
+import pytest
+
+import scenes
+from conftest import SMALL
+from test_collision import ledger
+
+STEP = "step06_accumulation"
+
+# Hail comes down in a second, and a short rest lets every flake take many turns.
+HAIL = ["--weather", "hail", "--set", "melt_time=0.3"]
+
+
+class Cover:
+    """What --dump-cover leaves: the mass of snow in each cell, and where the cells are."""
+
+    def __init__(self, path):
+        with open(path) as file:
+            numbers = re.fullmatch(r"# origin (\S+) (\S+) (\S+) cell (\S+) full (\S+)\n",
+                                   file.readline())
+            *origin, cell, full = map(float, numbers.groups())
+            assert file.readline() == "i,j,k,mass\n"
+            rows = numpy.array([line.split(",") for line in file], dtype=numpy.int64).reshape(-1, 4)
+        self.mass = rows[:, 3]                              # units
+        self.place = origin + cell * (rows[:, :3] + 0.5)    # m, middle of the cell
+        self.depth = self.mass / full * cell                # m
+        self.full, self.cell = full, cell
+
+
+@pytest.fixture
+def accumulate(programs, tmp_path):
+    """Lets it snow: the ledger, the cover, and the mass that the program's own sum names."""
+    def accumulate(text, *arguments):
+        (tmp_path / "scene.obj").write_text(text)
+        scene = ["--scene", tmp_path / "scene.obj"] if text else []
+        result = programs.run_well(STEP, *SMALL, *scene, *arguments,
+                                   "--dump-cover", tmp_path / "cover.csv")
+        line = re.search(r"^cover: lying (\d+) \+ melted (\d+) = deposited (\d+) x (\d+)$",
+                         result.stdout, re.MULTILINE)
+        return ledger(result.stdout), Cover(tmp_path / "cover.csv"), [int(n) for n in line.groups()]
+    return accumulate
+
+
+def check_sums(entries, cover, sums):
+    """To the flake, and to the unit of mass: atomicAdd on whole numbers loses nothing."""
+    assert entries["released"] == sum(entries.values()) - entries["released"]
+    lying, melted, deposited, flake_mass = sums
+    assert cover.mass.sum() == lying
+    assert lying + melted == deposited * flake_mass
+    assert deposited == entries["deposited"]
+
+
+@pytest.mark.parametrize("particles, weather", [(20000, []), (5000, HAIL)])
+def test_ledger_balances_after_3000_frames(accumulate, particles, weather):
+    result = accumulate(scenes.TABLE, "--particles", particles, "--frames", 3000, "--voxels", 64,
+                        *weather)
+    check_sums(*result)
+    assert result[0]["deposited"] > particles  # more than once around the whole pool
+
+
+def test_ledger_balances_in_a_storm(accumulate):
+    """Flakes leave the world on the wind, land on edges, slide down walls and are snowed in."""
+    check_sums(*accumulate("", "--particles", 20000, "--frames", 400, "--voxels", 64, *HAIL,
+                           "--set", "wind_x=20", "--set", "turbulence=40", "--set", "snowfall=10"))
+
+
+def test_a_full_cell_is_solid_and_snow_piles_into_the_next(accumulate):
+    """A metre of snow in ten seconds: layer upon layer of cells, none holding more than it can."""
+    _, cover, _ = accumulate(scenes.TABLE, "--particles", 20000, "--frames", 600, "--voxels", 64,
+                             *HAIL, "--set", "snowfall=6")
+    # Flakes that land in the same cell in the same step each find it not yet full: a cell may hold
+    # some flakes more, never another cell's worth.
+    assert cover.mass.max() < 2 * cover.full
+    in_the_open = (abs(cover.place[:, 0]) > 4) & (abs(cover.place) < 7)[:, [0, 2]].all(axis=1)
+    layers = numpy.unique(cover.place[in_the_open, 1].round(3))
+    assert len(layers) >= 3
+    # Cells are filled from below: any snow rests on a cell that is full, or on the floor.
+    full = {tuple(place) for place in cover.place[cover.mass >= cover.full].round(3)}
+    for x, y, z in cover.place[in_the_open & (cover.place[:, 1] > cover.cell)]:
+        assert tuple(numpy.round((x, y - cover.cell, z), 3)) in full
+
+
+def test_depth_of_snow_does_not_depend_on_the_number_of_flakes(accumulate):
+    """What falls on open ground in a minute is as deep as the weather says."""
+    for particles in (4000, 20000):
+        _, cover, _ = accumulate(scenes.text(scenes.FLOOR, scenes.box((-1, 0, -1), (1, 1, 1))),
+                                 "--particles", particles, "--frames", 1200, "--voxels", 64,
+                                 "--set", "snowfall=1", "--set", "melt_time=0.5")
+        x, _, z = cover.place.T
+        ring = (abs(x) < 7) & (abs(z) < 7) & ((abs(x) > 2) | (abs(z) > 2))
+        depth = (cover.depth[ring].sum() * cover.cell ** 2) / (14 ** 2 - 4 ** 2)
+        # It falls for 20 s less the way down, of up to 8 s: 12 to 20 s at 1 m in 60 s. The cloud is
+        # as wide as the floor, so near its edges turbulence carries a little away.
+        assert 0.9 * 12 / 60 < depth < 1.1 * 20 / 60
+
+
+def test_no_snow_under_a_table_but_below_its_gap(accumulate):
+    """As in test_collision.py, and 0.25 m more: a flake's mass goes to the cells beside it too."""
+    _, cover, _ = accumulate(scenes.TABLE, "--particles", 20000, "--frames", 900, "--voxels", 128,
+                             "--set", "melt_time=1")
+    x, y, z = cover.place.T
+    on_floor = y < 1
+    assert cover.mass[on_floor & (abs(x) < 2.25) & (abs(z) > 1.25) & (abs(z) < 2.25)].sum() == 0
+    assert cover.mass[on_floor & (abs(x) < 2.25) & (abs(z) < 0.3)].sum() > 0
+    assert cover.mass[~on_floor & (abs(x) < 3) & (abs(z) < 3)].sum() > 0
+
+
+def test_no_snow_under_the_roof_of_the_arcade(accumulate):
+    _, cover, _ = accumulate("", "--particles", 20000, "--frames", 700, "--voxels", 128,
+                             "--set", "melt_time=1")
+    x, y, z = cover.place.T
+    arcade = (numpy.minimum(x, z) > -7.6) & (numpy.minimum(x, z) < -6) & (numpy.maximum(x, z) < 7)
+    assert cover.mass[arcade & (y < 2.5)].sum() == 0
+    assert cover.mass[arcade & (y > 3.2)].sum() > 0
+
+
+def test_lee_side_of_a_wall_gets_less(accumulate):
+    _, cover, _ = accumulate(scenes.WALL, "--particles", 20000, "--frames", 1200, "--voxels", 128,
+                             "--set", "wind_x=2", "--set", "melt_time=1")
+    x, y, z = cover.place.T
+    near = (y < 1) & (abs(z) < 3)
+    windward = cover.mass[near & (x > -2) & (x < -0.6)].sum()
+    lee = cover.mass[near & (x > 0.6) & (x < 2)].sum()
+    assert lee < 0.1 * windward  # see test_collision.py
+
+
+def test_rain_leaves_nothing(accumulate):
+    entries, cover, _ = accumulate(scenes.TABLE, "--particles", 5000, "--frames", 400,
+                                   "--voxels", 64, "--weather", "rain")
+    assert entries["released"] == sum(entries.values()) - entries["released"]
+    assert entries["melted"] > 1000 and entries["deposited"] == 0 == cover.mass.sum()

@@ -1,0 +1,134 @@
+"""Bad input, bad surroundings: one clear line on stderr, and a status that says whose fault."""
+
+import resource
+import signal
+
+import pytest
+
+from conftest import SMALL, STEPS, WITH_SCENE, fails_with_one_line
+
+CANNOT_RUN, BAD_USAGE = 1, 2
+
+BAD_ARGUMENTS = [
+    "--particles -1", "--particles abc", "--particles 1000000000000", "--particles", "--particles=",
+    "--particles 1e3", "--particles 50000001", "--particles 1 --particles 2",
+    "--size 0x0", "--size 10", "--size 10x", "--size x10", "--size 10x10x10", "--size -5x5",
+    "--size 10x99999", "--size 10x99999999999", "--frames -1", "--frames 1.5", "--frames abc",
+    "--frames 99999999999", "--warmup -1", "--seed -1", "--seed x", "--variant none",
+    "--weather sun", "--set gravity", "--set gravity=", "--set gravity=abc", "--set gravity=nan",
+    "--set gravity=inf", "--set wind_x=1e9", "--set nonsense=1", "--set =1", "--nonsense",
+    "nonsense", "--dump", "--screenshot",
+]
+BAD_SCENE_ARGUMENTS = ["--voxels 0", "--voxels 7", "--voxels 100000", "--voxels -64", "--voxels 48",
+                       "--voxels abc", "--up x", "--scene"]
+
+
+@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("arguments", BAD_ARGUMENTS)
+def test_bad_usage(programs, step, arguments):
+    """Found without opening a window: on a machine with no display as well."""
+    result = programs.run(step, *arguments.split(), environment={"DISPLAY": None})
+    assert fails_with_one_line(result, BAD_USAGE, "--help")
+
+
+@pytest.mark.parametrize("step", WITH_SCENE)
+@pytest.mark.parametrize("arguments", BAD_SCENE_ARGUMENTS)
+def test_bad_usage_of_scene_options(programs, step, arguments):
+    result = programs.run(step, *arguments.split(), environment={"DISPLAY": None})
+    assert fails_with_one_line(result, BAD_USAGE, arguments.split()[0])
+
+
+@pytest.mark.parametrize("step", [step for step in STEPS if step not in WITH_SCENE])
+@pytest.mark.parametrize("arguments", ["--scene none", "--voxels 64", "--up z"])
+def test_an_option_a_step_cannot_honour_is_an_error(programs, step, arguments):
+    result = programs.run(step, *arguments.split(), environment={"DISPLAY": None})
+    assert fails_with_one_line(result, BAD_USAGE, arguments.split()[0])
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_help(programs, step):
+    result = programs.run(step, "--help", environment={"DISPLAY": None})
+    assert (result.returncode, result.stderr) == (0, "")
+    for option in ("--particles", "--variant", "--weather", "--seed", "--size", "--vsync",
+                   "--frames", "--warmup", "--screenshot", "--dump", "--debug", "Escape"):
+        assert option in result.stdout
+    assert ("--scene" in result.stdout) == ("--voxels" in result.stdout) == (step in WITH_SCENE)
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_first_line_says_what_runs_where(programs, step):
+    first, warning, *_ = programs.run_well(step, *SMALL, "--frames", 1).stdout.splitlines()
+    for word in (step, "llvmpipe", "OpenGL 4", "20000 flakes", "64x64", "vsync off"):
+        assert word in first
+    assert warning.startswith("warning") and "software" in warning
+
+
+@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("display", [None, ":987"])
+def test_no_display(programs, step, display):
+    result = programs.run(step, "--frames", 1, environment={"DISPLAY": display})
+    assert fails_with_one_line(result, CANNOT_RUN, "DISPLAY")
+
+
+@pytest.mark.parametrize("step, needed, offered", [
+    ("step01_cpu_points", "1.5", "1.4"),
+    ("step02_vbo", "1.5", "1.4"),
+    ("step03_shader_points", "3.3", "2.1"),
+    ("step04_transform_feedback", "3.3", "3.2"),
+    ("step05_collision", "3.3", "3.0"),
+    ("step06_accumulation", "4.3", "4.2"),
+])
+def test_opengl_too_old(programs, step, needed, offered):
+    result = programs.run(step, "--frames", 1,
+                          environment={"MESA_GL_VERSION_OVERRIDE": offered + "COMPAT"})
+    assert fails_with_one_line(result, CANNOT_RUN, f"needs OpenGL {needed}", f"this is {offered}")
+
+
+@pytest.mark.parametrize("option", ["--dump", "--screenshot"])
+@pytest.mark.parametrize("step", STEPS)
+def test_output_in_a_folder_that_does_not_exist(programs, step, option, tmp_path):
+    path = tmp_path / "no" / "such" / "file"
+    result = programs.run(step, *SMALL, "--frames", 1, option, path)
+    assert fails_with_one_line(result, CANNOT_RUN, path)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("option", ["--dump", "--screenshot"])
+def test_output_that_is_a_folder(programs, option, tmp_path):
+    result = programs.run("step01_cpu_points", *SMALL, "--frames", 1, option, tmp_path)
+    assert fails_with_one_line(result, CANNOT_RUN, tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("option", ["--dump", "--screenshot"])
+def test_write_that_fails_midway_leaves_nothing(programs, step, option, tmp_path):
+    """As on a full disk: a limit on the size of files breaks off the write."""
+    def limit_file_size():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # the write then fails instead of the process
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+    # An old file of that name must survive, whole.
+    path = tmp_path / "file"
+    path.write_text("old")
+    result = programs.run(step, "--size", "300x200", "--frames", 30, option, path,
+                          preexec_fn=limit_file_size)
+    assert fails_with_one_line(result, CANNOT_RUN, path)
+    assert [file.name for file in tmp_path.iterdir()] == ["file"]
+    assert path.read_text() == "old"
+
+
+@pytest.mark.parametrize("option", ["--dump", "--screenshot"])
+def test_outputs_may_be_links(programs, option, tmp_path):
+    """What a link points to is replaced, never the link: it may be /dev/null."""
+    (tmp_path / "link").symlink_to(tmp_path / "target")
+    programs.run_well("step01_cpu_points", *SMALL, "--frames", 1, option, tmp_path / "link")
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "target").stat().st_size > 100
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_runs_from_any_folder_and_writes_only_what_was_asked_for(programs, step, tmp_path):
+    programs.run_well(step, *SMALL, "--frames", 1, "--dump", "flakes.csv", cwd=tmp_path)
+    assert [file.name for file in tmp_path.iterdir()] == ["flakes.csv"]
+    programs.run_well(step, *SMALL, "--frames", 1, cwd="/")

@@ -1,0 +1,72 @@
+"""--benchmark and --csv: what they report is what happened, and measuring changes nothing."""
+
+import csv
+
+import pytest
+
+from conftest import SMALL, STEP_VARIANTS, STEPS
+from test_window import OpenProgram
+
+STAGES = {
+    "step01_cpu_points": ["update", "draw"],
+    "step02_vbo": ["update", "upload", "draw"],
+    "step03_shader_points": ["update", "upload", "draw"],
+    "step04_transform_feedback": ["update", "draw"],
+    "step05_collision": ["update", "scene", "draw"],
+    "step06_accumulation": ["update", "accumulate", "sky", "scene", "draw"],
+}
+BENCHMARK = ["--benchmark", "--frames", 12, "--warmup", 6, "--particles", 500]
+
+
+def read(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_csv_has_a_row_for_every_frame(programs, tmp_path, step):
+    path = tmp_path / "times.csv"
+    result = programs.run_well(step, *SMALL, *BENCHMARK, "--csv", path)
+    rows = read(path)
+    columns = ["step", "variant", "particles", "width", "height", "renderer", "frame", "frame_ms", "timing"]
+    for stage in STAGES[step]:
+        columns += [f"{stage}_cpu_ms", f"{stage}_gpu_ms"]
+    assert list(rows[0]) == columns
+    counted = [row for row in rows if row["timing"] == "query"]
+    assert [int(row["frame"]) for row in counted] == list(range(12))
+    # Mesa's software renderer: the second half of the warm-up is the synchronised pass.
+    assert len(rows) - len(counted) == 3
+    for row in rows:
+        assert (row["step"], row["particles"], row["width"], row["height"]) == (step, "500", "64", "64")
+        assert "llvmpipe" in row["renderer"]
+        stages = [float(row[f"{stage}_cpu_ms"]) for stage in STAGES[step]]
+        assert all(time >= 0 for time in stages)
+        assert sum(stages) <= float(row["frame_ms"])  # what is timed lies within the frame
+    assert "benchmark: 12 frames" in result.stdout
+    assert "vsync off" in result.stdout
+    assert "timing a stage costs" in result.stdout
+
+
+@pytest.mark.parametrize("step,variant", STEP_VARIANTS)
+def test_measuring_changes_nothing(programs, tmp_path, step, variant):
+    plain = programs.dump(step, "--variant", variant, "--frames", 12, "--warmup", 6, "--particles", 500)
+    path = tmp_path / "flakes.csv"
+    programs.run_well(step, *SMALL, *BENCHMARK, "--variant", variant, "--csv", tmp_path / "times.csv",
+                      "--dump", path)
+    assert path.read_bytes() == plain
+
+
+def test_a_closed_window_leaves_what_was_measured(programs, tmp_path):
+    path = tmp_path / "times.csv"
+    program = OpenProgram(programs, tmp_path, "step02_vbo", *SMALL, "--benchmark", "--warmup", 0,
+                          "--frames", 1000000000, "--csv", path)
+    program.press_close_button()
+    out, err = program.process.communicate(timeout=60)
+    assert (program.process.returncode, err) == (0, "")
+    assert "cut short" in out
+    assert len(read(path)) > 0
+
+
+def test_a_benchmark_does_not_wait_for_the_display(programs):
+    result = programs.run("step01_cpu_points", "--benchmark", "--vsync")
+    assert result.returncode == 2 and "--vsync" in result.stderr

@@ -1,0 +1,97 @@
+"""What is drawn: compared with a reference picture per program and variant, and without complaints
+from OpenGL. After a change that is meant to be seen: pytest test_pictures.py --new-references."""
+
+import numpy
+import PIL.Image
+import pytest
+
+from conftest import ROOT, STEP_VARIANTS, STEPS, WITH_SCENE
+
+REFERENCES = ROOT / "tests" / "reference"
+
+
+def draw(programs, path, step, *arguments):
+    programs.run_well(step, "--size", "320x180", "--seed", 7, *arguments, "--screenshot", path)
+    return numpy.asarray(PIL.Image.open(path).convert("RGB")).astype(int)
+
+
+def setting(step, variant):
+    """Enough snow to see each flake's shape, and frames enough for some to land."""
+    if variant == "triangles":
+        return ["--particles", 100, "--frames", 100, "--weather", "hail"]
+    if step == "step06_accumulation":
+        return ["--particles", 5000, "--frames", 150, "--weather", "hail", "--voxels", 128,
+                "--set", "melt_time=0.3", "--set", "snowfall=3"]
+    return ["--particles", 5000, "--frames", 500]
+
+
+@pytest.mark.parametrize("step, variant", STEP_VARIANTS)
+def test_picture(request, programs, step, variant):
+    """At most 1 % of the pixels may differ by more than 24 of 255 levels in a channel.
+
+    Mesa's rasterizer differs from release to release in the last bits: along the edges of triangles
+    and sprites a pixel more or less is covered, by some levels. One flake that is elsewhere (see
+    test_one_snowfall.py) changes 10 pixels, a fiftieth of 1 %. Flakes of the wrong size, or none at
+    all, the wrong light or another colour change 5 % and more.
+    """
+    saved = programs.build / "pictures"
+    saved.mkdir(exist_ok=True)
+    name = f"{step}_{variant}"
+    actual = draw(programs, saved / f"{name}_actual.png", step, "--variant", variant,
+                  *setting(step, variant))
+    reference = REFERENCES / f"{name}.png"
+    if request.config.getoption("new_references"):
+        PIL.Image.fromarray(actual.astype(numpy.uint8)).save(reference, optimize=True)
+    expected = numpy.asarray(PIL.Image.open(reference).convert("RGB")).astype(int)
+    assert actual.shape == expected.shape
+    difference = abs(actual - expected)
+    share = (difference.max(axis=2) > 24).mean()
+    if share > 0.01:
+        for kind, picture in (("expected", expected), ("difference", difference)):
+            PIL.Image.fromarray(picture.astype(numpy.uint8)).save(saved / f"{name}_{kind}.png")
+        pytest.fail(f"{100 * share:.1f} % of the pixels differ: see the pictures "
+                    f"{saved}/{name}_actual.png, ..._expected.png and ..._difference.png")
+
+
+@pytest.mark.parametrize("step, variant", STEP_VARIANTS)
+def test_opengl_has_no_complaint(programs, step, variant):
+    """--debug prints every error and message of OpenGL on stderr; run_well wants that empty."""
+    particles = 100 if variant == "triangles" else 20000
+    programs.run_well(step, "--debug", "--variant", variant, "--particles", particles,
+                      "--size", "320x180", "--frames", 60)
+
+
+@pytest.mark.parametrize("step, variant", STEP_VARIANTS)
+def test_flakes_are_drawn(programs, tmp_path, step, variant):
+    """With and without flakes the pictures differ: they come from the snow, not the background."""
+    shape = [*setting(step, variant), "--variant", variant]
+    with_snow = draw(programs, tmp_path / "snow.png", step, *shape)
+    shape[1] = 0  # --particles
+    without = draw(programs, tmp_path / "none.png", step, *shape)
+    assert (with_snow != without).any(axis=2).sum() > 20
+    if step not in WITH_SCENE:
+        assert (without == without[0, 0]).all()  # nothing but the background
+
+
+def test_backgrounds_tell_the_windows_apart(programs, tmp_path):
+    """Each step has a colour of its own, so that two windows side by side are not confused."""
+    colours = {tuple(draw(programs, tmp_path / "empty.png", step, "--particles", 0, "--frames", 1,
+                          *(["--scene", "none"] if step in WITH_SCENE else []))[0, 0])
+               for step in STEPS}
+    assert len(colours) == len(STEPS)
+
+
+def test_nearer_flakes_are_larger(programs, tmp_path):
+    """The size of a sprite falls with distance and grows with the window (step 3)."""
+    def share_covered(size, diameter):
+        path = tmp_path / "sprites.png"
+        programs.run_well("step03_shader_points", "--size", size, "--particles", 500,
+                          "--frames", 600, "--set", f"diameter_0={diameter}",
+                          "--set", f"diameter_1={diameter}", "--screenshot", path)
+        picture = numpy.asarray(PIL.Image.open(path)).astype(int)
+        return (abs(picture - picture[0, 0]).max(axis=2) > 8).mean()
+
+    small, large = share_covered("320x180", 0.2), share_covered("320x180", 0.4)
+    assert 2 < large / small < 4.5  # area grows with the square; overlaps take some of it
+    # The same picture with more pixels: the same share is covered, save for the edges.
+    assert share_covered("640x360", 0.4) == pytest.approx(large, rel=0.15)

@@ -1,0 +1,240 @@
+"""The window as its user handles it: frames counted, resized, hidden, closed, held up."""
+
+import ctypes
+import os
+import signal
+import subprocess
+import time
+
+import numpy
+import PIL.Image
+import pytest
+
+from conftest import PATIENCE, SMALL, STEPS, Flakes, wait_until
+
+# Runs until it is closed, then leaves a dump: more frames than anyone waits for.
+FOREVER = ["--realtime", "--frames", 1000000000]
+
+
+class OpenProgram:
+    """A program that is running, and the hand on its window."""
+
+    def __init__(self, programs, folder, step, *arguments):
+        self.step = step
+        self.process = subprocess.Popen(programs.command(step, *arguments), cwd=folder, text=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.window = wait_until(self.search, "a window")
+        self.wait_for_frames()
+
+    def search(self):
+        assert self.process.poll() is None, self.process.communicate()
+        return self.xdotool("search", "--name", f"^{self.step}")
+
+    def xdotool(self, *arguments):
+        # Not checked: a search finds nothing at first, and a window may close before its key is up.
+        return subprocess.run(["xdotool", *map(str, arguments)], text=True, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout.strip()
+
+    def title(self):
+        assert self.process.poll() is None, self.process.communicate()
+        return self.xdotool("getwindowname", self.window)
+
+    def wait_for_frames(self):
+        """Until the title, which shows the frame time twice a second, has changed: frames go on."""
+        before = self.title()
+        wait_until(lambda: self.title() not in (before, ""), "the title to change")
+
+    def press(self, key):
+        self.xdotool("key", "--window", self.window, key)
+
+    def press_close_button(self):
+        """Sends the message that a window manager sends; none runs here, and xdotool cannot."""
+        class ClientMessage(ctypes.Structure):  # XClientMessageEvent of Xlib.h
+            _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong),
+                        ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
+                        ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong),
+                        ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
+                        ("rest_of_union", ctypes.c_long * 24)]
+
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype = ctypes.c_void_p
+        x11.XInternAtom.restype = ctypes.c_ulong
+        x11.XInternAtom.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int]
+        x11.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long,
+                                   ctypes.c_void_p]
+        x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+        display = x11.XOpenDisplay(None)
+        event = ClientMessage(type=33, window=int(self.window), format=32,  # 33: ClientMessage
+                              message_type=x11.XInternAtom(display, b"WM_PROTOCOLS", 0))
+        event.data[0] = x11.XInternAtom(display, b"WM_DELETE_WINDOW", 0)
+        x11.XSendEvent(display, int(self.window), 0, 0, ctypes.byref(event))
+        x11.XCloseDisplay(display)
+
+    def hold_up(self, seconds):
+        """Stops the program as a debugger or a busy machine would, and lets it go on."""
+        self.process.send_signal(signal.SIGSTOP)
+        state = lambda: open(f"/proc/{self.process.pid}/stat").read().rsplit(")", 1)[1].split()[0]
+        wait_until(lambda: state() == "T", "the program to stop")
+        time.sleep(seconds)  # not to wait for anything: this is the hitch
+        self.process.send_signal(signal.SIGCONT)
+
+    def ends_well(self):
+        _, errors = self.process.communicate(timeout=PATIENCE)
+        assert (self.process.returncode, errors) == (0, "")
+
+
+@pytest.fixture
+def open_program(programs, tmp_path):
+    running = []
+
+    def open_program(step, *arguments):
+        running.append(OpenProgram(programs, tmp_path, step, *arguments))
+        return running[-1]
+
+    yield open_program
+    for program in running:
+        if program.process.poll() is None:
+            program.process.kill()
+            program.process.wait()
+
+
+@pytest.mark.parametrize("frames, warmup", [(0, 0), (1, 0), (37, 0), (37, 5)])
+@pytest.mark.parametrize("step", STEPS)
+def test_frames_asked_for_are_frames_shown(programs, tmp_path, step, frames, warmup):
+    count = tmp_path / "count"
+    preload = f"{os.environ.get('LD_PRELOAD', '')}:{programs.build}/tests/libcount_swaps.so"
+    programs.run_well(step, *SMALL, "--frames", frames, "--warmup", warmup,
+                      environment={"LD_PRELOAD": preload, "SWAPS_FILE": str(count)})
+    assert int(count.read_text()) == frames + warmup
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_each_frame_is_one_step(programs, step):
+    """A flake that waits for its birth only grows older, by 1/60 s a step."""
+    before = programs.flakes(step, "--frames", 0)
+    after = programs.flakes(step, "--frames", 90)
+    waiting = after.age < 0
+    assert waiting.sum() > 1000
+    steps = (after.age - before.age)[waiting] * 60
+    # 0.01: a step rounds the age, some 10 s, by a millionth; 90 may add up to 0.006 steps.
+    assert numpy.abs(steps - 90).max() < 0.01
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_escape_ends_it_and_the_files_asked_for_are_there(open_program, tmp_path, step):
+    program = open_program(step, *SMALL, *FOREVER, "--dump", "flakes.csv",
+                           "--screenshot", "last.png")
+    program.press("Escape")
+    program.ends_well()
+    assert Flakes(tmp_path / "flakes.csv").airborne.any()
+    assert PIL.Image.open(tmp_path / "last.png").size == (64, 64)
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_close_button_ends_it_with_the_flakes_as_they_were(open_program, tmp_path, step):
+    """The window, and OpenGL with it, must not be gone before the flakes are read back."""
+    program = open_program(step, *SMALL, *FOREVER, "--dump", "flakes.csv")
+    program.press_close_button()
+    program.ends_well()
+    assert Flakes(tmp_path / "flakes.csv").airborne.any()
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_resizing(open_program, tmp_path, step):
+    """To a new size, seen in what the S key saves; to a single pixel and back."""
+    program = open_program(step, *SMALL)
+    picture = tmp_path / f"{step}.png"
+
+    def saved_size():
+        program.press("s")
+        return picture.exists() and PIL.Image.open(picture).size
+
+    for size in ((300, 200), (1, 1), (120, 150)):
+        program.xdotool("windowsize", program.window, *size)
+        wait_until(lambda: saved_size() == size, f"a picture of {size}")
+    program.press("Escape")
+    program.ends_well()
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_minimising(open_program, step):
+    """A window manager minimises a window by unmapping it. Nothing is shown, and nothing breaks."""
+    program = open_program(step, *SMALL)
+    program.xdotool("windowunmap", program.window)
+    program.wait_for_frames()
+    program.xdotool("windowmap", program.window)
+    program.wait_for_frames()
+    program.press("Escape")
+    program.ends_well()
+
+
+def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
+    """Seen in two pictures without snow: only the scene can change."""
+    step = "step05_collision"
+    program = open_program(step, *SMALL, "--particles", 0, "--voxels", 32)
+    picture = tmp_path / f"{step}.png"
+
+    def view():
+        picture.unlink(missing_ok=True)
+        program.press("s")
+        wait_until(picture.exists, "a picture")
+        return picture.read_bytes()
+
+    def changes_view(action, back):
+        before = view()
+        action()
+        wait_until(lambda: view() != before, "another view")
+        back()
+        wait_until(lambda: view() == before, "the first view")
+
+    mouse = lambda *arguments: program.xdotool("mousemove", "--window", program.window, 20, 20,
+                                               *arguments)
+    drag = lambda: mouse("mousedown", 1, "mousemove_relative", 10, 5, "mouseup", 1)
+    changes_view(drag, lambda: program.press("c"))
+    changes_view(lambda: mouse("click", 4), lambda: mouse("click", 5))
+    program.press("Escape")
+    program.ends_well()
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_one_pixel(programs, tmp_path, step):
+    programs.run_well(step, "--size", "1x1", "--frames", 3, "--screenshot", tmp_path / "pixel.png")
+    assert PIL.Image.open(tmp_path / "pixel.png").size == (1, 1)
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_a_hitch_loses_nothing(programs, open_program, tmp_path, step):
+    """Frames that take 0.1, 1 and 10 s: the snow only slows down.
+
+    After K steps, made in however large bunches, the flakes are those of a run that made K steps
+    one by one, to the byte: none is lost, landed twice or moved further. It hails, with little time
+    between landing and rebirth, so that thousands of flakes land within these seconds.
+    """
+    hail = [*SMALL, "--weather", "hail", "--set", "melt_time=20"]
+    if step == "step06_accumulation":
+        hail += ["--voxels", 64]
+    start = time.monotonic()
+    program = open_program(step, *hail, *FOREVER, "--dump", "flakes.csv")
+    # Ten seconds are for the first program and the last: all share the code that meets the hitch.
+    hitches = [0.1, 1, 10] if step in (STEPS[0], STEPS[-1]) else [0.1, 1]
+    for seconds in hitches:
+        program.hold_up(seconds)
+        program.wait_for_frames()
+    program.press("Escape")
+    program.ends_well()
+    run_time = time.monotonic() - start - sum(hitches)
+
+    flakes = Flakes(tmp_path / "flakes.csv")
+    for quantity in (flakes.position, flakes.age, flakes.velocity, flakes.rest):
+        assert numpy.isfinite(quantity).all()
+    assert (flakes.position[:, 1] >= 0).all()
+
+    # The steps made, from the age of the flake that waits longest.
+    unborn = programs.flakes(step, *hail[2:], "--frames", 0)
+    last = unborn.age.argmin()
+    assert flakes.age[last] < 0
+    steps = round((flakes.age[last] - unborn.age[last]) * 60)
+    # The clock asks for 60 a second; of each hitch at most 8 steps are caught up.
+    assert 0 < steps <= 60 * run_time + 8 * len(hitches) + 1
+    one_by_one = programs.dump(step, *hail[2:], "--frames", steps)
+    assert (tmp_path / "flakes.csv").read_bytes() == one_by_one

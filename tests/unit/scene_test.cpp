@@ -1,0 +1,141 @@
+// OBJ files of all kinds; test_collision.py has those that a program must refuse.
+#include "common/scene.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+using glm::vec3;
+
+namespace {
+
+class SceneFile : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        folder = fs::path(testing::TempDir()) / ("snowfall_scene_" + std::to_string(getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    Scene load(const std::string& text, char up = 'y')
+    {
+        std::ofstream(folder / "scene.obj", std::ios::binary) << text;
+        return load_scene(folder / "scene.obj", up);
+    }
+    fs::path folder;
+};
+
+// m2, and as seen from above
+double area(const Scene& scene, bool seen_from_above = false)
+{
+    double sum = 0;
+    for (size_t i = 0; i < scene.vertices.size(); i += 3) {
+        const vec3 a = scene.vertices[i].position;
+        const vec3 across =
+            glm::cross(scene.vertices[i + 1].position - a, scene.vertices[i + 2].position - a);
+        sum += 0.5 * (seen_from_above ? across.y : glm::length(across));
+    }
+    return sum;
+}
+
+// 16 m wide, as wide as the world allows: it is not scaled.
+const std::string square = "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 -8\n";
+
+}  // namespace
+
+TEST_F(SceneFile, WithPolygonsIsDividedIntoTriangles)
+{
+    EXPECT_EQ(load(square + "f 1 2 3 4\n").vertices.size(), 6u);
+    // Six corners around a square, in a regular order.
+    EXPECT_NEAR(area(load(square + "v -8 0 0\nv 8 0 0\nf 1 5 2 3 6 4\n")), 256, 1e-3);
+}
+
+TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
+{
+    // An L of three squares of 8 m.
+    const Scene l = load(square + "v 0 0 -8\nv 0 0 0\nv 8 0 0\nf 1 2 3 7 6 5\n");
+    EXPECT_EQ(l.vertices.size(), 12u);
+    EXPECT_NEAR(area(l), 3 * 64, 1e-3) << "some triangles lie outside the L";
+    EXPECT_NEAR(area(l, true), 3 * 64, 1e-3);
+}
+
+TEST_F(SceneFile, MayCountItsVerticesBackwards)
+{
+    EXPECT_NEAR(area(load(square + "f -4 -3 -2 -1\n"), true), 256, 1e-3);
+}
+
+TEST_F(SceneFile, MayHaveTextureCoordinatesAndNormalsOrNot)
+{
+    const std::string more = "vt 0 0\nvn 0 1 0\n";
+    for (const char* face : {"f 1 2 3 4\n", "f 1/1 2/1 3/1 4/1\n", "f 1//1 2//1 3//1 4//1\n",
+                             "f 1/1/1 2/1/1 3/1/1 4/1/1\n"}) {
+        const Scene scene = load(square + more + face);
+        EXPECT_NEAR(area(scene), 256, 1e-3) << face;
+        EXPECT_EQ(scene.vertices.front().normal, vec3(0, 1, 0)) << face;
+    }
+}
+
+TEST_F(SceneFile, MayHaveWindowsLineEndsCommentsAndOddSpaces)
+{
+    const Scene scene = load("# a comment\r\nv  -8 0 -8\r\nv -8\t0 8 \r\nv 8 0 8 1.0\r\n\r\n"
+                             "v 8 0 -8\r\ns off\r\nf 1 2 3 4 \r\n");
+    EXPECT_NEAR(area(scene), 256, 1e-3);
+}
+
+TEST_F(SceneFile, WithoutLineEndAtTheEndIsWhole)
+{
+    EXPECT_NEAR(area(load(square + "f 1 2 3 4")), 256, 1e-3);
+}
+
+TEST_F(SceneFile, MayHoldSeveralObjectsAndGroups)
+{
+    const Scene scene = load(square + "o one\nf 1 2 3\no two\ng part\nf 1 3 4\n");
+    EXPECT_NEAR(area(scene), 256, 1e-3);
+}
+
+TEST_F(SceneFile, TakesItsColoursFromTheMaterialsBesideIt)
+{
+    std::ofstream(folder / "scene.mtl") << "newmtl red\nKd 0.75 0.25 0.125\n";
+    const Scene scene =
+        load("mtllib scene.mtl\n" + square + "usemtl red\nf 1 2 3\nusemtl none\nf 1 3 4\n");
+    EXPECT_EQ(scene.vertices[0].colour, vec3(0.75f, 0.25f, 0.125f));
+    EXPECT_EQ(scene.vertices[5].colour, vec3(0.5f));
+}
+
+TEST_F(SceneFile, IsGreyIfItsMaterialsAreMissing)
+{
+    const Scene scene = load("mtllib none.mtl\n" + square + "usemtl red\nf 1 2 3 4\n");
+    EXPECT_EQ(scene.vertices[0].colour, vec3(0.5f));
+}
+
+TEST_F(SceneFile, IsFittedIntoTheWorldWithItsFloorOnTheGround)
+{
+    const Scene scene =
+        load("v 100 50 0\nv 100 50 400\nv 500 50 400\nv 300 60 200\nf 1 2 3\nf 1 3 4\n");
+    vec3 least = scene.vertices[0].position, most = least;
+    for (const Vertex& vertex : scene.vertices) {
+        least = glm::min(least, vertex.position);
+        most = glm::max(most, vertex.position);
+    }
+    const float micrometre = 1e-6f;  // as finely as a float tells points 8 m away apart
+    EXPECT_LE(glm::distance(least, vec3(-8, 0, -8)), micrometre);
+    EXPECT_LE(glm::distance(most, vec3(8, 0.4f, 8)), micrometre);
+}
+
+TEST_F(SceneFile, MayHaveZUp)
+{
+    const Scene scene = load("v -8 -8 0\nv 8 -8 0\nv 8 8 0\nv 0 0 4\nf 1 2 3\nf 1 2 4\n", 'z');
+    float highest = 0;
+    for (const Vertex& vertex : scene.vertices) highest = std::max(highest, vertex.position.y);
+    EXPECT_EQ(highest, 4);
+    EXPECT_EQ(scene.vertices[0].normal, vec3(0, 1, 0)) << "turned, not mirrored";
+}
+
+TEST_F(SceneFile, NoneIsTheEmptyScene)
+{
+    EXPECT_TRUE(load_scene("none", 'y').vertices.empty());
+}
