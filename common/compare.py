@@ -52,6 +52,7 @@ except ImportError:
 ROOT = Path(__file__).resolve().parent.parent
 STEPS = {int(folder.name[4:6]): folder.name for folder in sorted(ROOT.glob("step[0-9][0-9]_*"))}
 COLUMNS = "step,variant,particles,width,height,renderer,frame,frame_ms,timing".split(",")
+STAGE = re.compile(r"(\w+)_(cpu|gpu)_ms").fullmatch
 REMEDY = "build with common/run.sh, or: cmake -B build && cmake --build build"
 SMOOTH = 1000 / 60  # ms, the longest frame of a display that shows 60 a second
 
@@ -103,8 +104,9 @@ def read_frames(path):
         with open(path, newline="", encoding="utf-8") as file:
             rows = csv.DictReader(file, strict=True)
             names = rows.fieldnames or []
-            if names[:len(COLUMNS)] != COLUMNS:
-                raise Failed("malformed CSV: its first line is not " + ",".join(COLUMNS) + ",...")
+            if names[:len(COLUMNS)] != COLUMNS or not all(map(STAGE, names[len(COLUMNS):])):
+                raise Failed("malformed CSV: its first line is not " + ",".join(COLUMNS)
+                             + " and then STAGE_cpu_ms,STAGE_gpu_ms for each stage")
             frames, stages = [], {"query": defaultdict(list), "finish": defaultdict(list)}
             for row in rows:
                 if None in row or None in row.values():
@@ -139,7 +141,7 @@ def split_stages(stages, count, software):
         return {}  # such a renderer's queries mislead
     split = {}
     for name, times in (stages["finish"] or stages["query"]).items():
-        stage, clock = re.fullmatch(r"(\w+)_(cpu|gpu)_ms", name).groups()
+        stage, clock = STAGE(name).groups()
         if not stages["finish"]:
             split[stage, clock] = times
         elif clock == "gpu":  # from one glFinish to the next, the CPU's part of it included
@@ -447,11 +449,15 @@ def draw_frame_times(axes, experiment, lines):
 
 
 def label_ticks(axis, values):
-    """Marks these values on a logarithmic axis, or the powers of ten if they are too many."""
+    """Marks these values on a logarithmic axis, less those that would stand too close."""
     from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-    if len(values) <= 12:
-        axis.set_major_locator(FixedLocator(sorted(values)))
+    values = sorted(values)
+    kept = values[:1]
+    for value in values:
+        if math.log(value / kept[-1]) > 0.12 * math.log(values[-1] / values[0]):
+            kept.append(value)
+    axis.set_major_locator(FixedLocator(kept))
     axis.set_minor_locator(NullLocator())
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))
 
@@ -569,8 +575,8 @@ def parse_arguments():
                         help="how often to run everything (3)")
     parser.add_argument("--size", type=size_of_window, metavar="WxH",
                         help="window (1280x720, some experiments their own)")
-    parser.add_argument("--timeout", type=seconds, default=300, metavar="S",
-                        help="seconds after which a run has failed (300)")
+    parser.add_argument("--timeout", type=seconds, default=600, metavar="S",
+                        help="seconds after which a run has failed (600)")
     parser.add_argument("--out", type=Path, default=Path("comparison"), metavar="DIR",
                         help="folder for what is written (./comparison)")
     parser.add_argument("--build", type=Path, default=ROOT / "build", metavar="DIR",

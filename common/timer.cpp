@@ -95,6 +95,13 @@ void FrameTimer::end_frame(double frame_ms)
     collect(false);
 }
 
+void FrameTimer::drop_frame()
+{
+    if (!open_) return;
+    frames_.pop_back();
+    open_ = false;
+}
+
 void FrameTimer::keep(size_t count)
 {
     while (frames_.size() > count) {
@@ -126,7 +133,7 @@ void FrameTimer::collect(bool wait)
         GLuint64 begin = 0, end = 0;  // ns
         glGetQueryObjectui64v(oldest.begin, GL_QUERY_RESULT, &begin);
         glGetQueryObjectui64v(oldest.end, GL_QUERY_RESULT, &end);
-        if (oldest.frame >= forgotten_) {
+        if (oldest.frame >= forgotten_ && oldest.frame - forgotten_ < frames_.size()) {
             frames_[oldest.frame - forgotten_].stages[oldest.stage].gpu_ms =
                 double(end - begin) * 1e-6;
         }

@@ -45,7 +45,7 @@ public:
     // comparable where a driver's queries are not, and frames slower.
     void begin_frame(bool synchronised);
     void end_frame(double frame_ms);
-    void skip_frame() { open_ = false; }  // it is not to be recorded
+    void drop_frame();  // it never came to be shown
 
     // Times the block it is declared in. Stages do not nest. Costs a few microseconds, or nothing
     // if no frame is open. Throws std::logic_error if another stage is still running.

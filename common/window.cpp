@@ -94,7 +94,7 @@ Window::Window(Options options)
     // freeglut destroys window and context after this. But a context that is current lives on until
     // it no longer is (GLX 1.4, 3.3.7), so what was computed can still be read back, and objects
     // deleted.
-    glutCloseFunc([] { the_window->closing_ = true; });
+    glutCloseFunc([] { the_window->closing_ = the_window->window_gone_ = true; });
     announce();
     last_frame_ = last_swap_ = last_title_ = Clock::now();
 }
@@ -144,10 +144,11 @@ void Window::announce()
 
 bool Window::begin_frame()
 {
-    if (frame_open_) finish_frame();
     glutMainLoopEvent();
     const bool enough = options_.frames && drawn_ >= *options_.frames + options_.warmup;
-    if (closing_ || enough || controls_.restart) {
+    const bool last = closing_ || enough;
+    if (frame_open_) finish_frame(last);
+    if (last || controls_.restart) {
         report();
         return false;
     }
@@ -166,22 +167,25 @@ bool Window::begin_frame()
     return true;
 }
 
-void Window::finish_frame()
+void Window::finish_frame(bool last)
 {
+    frame_open_ = false;
+    if (window_gone_) {  // and with it what was drawn
+        timer_.drop_frame();
+        return;
+    }
+    if (last && !options_.screenshot.empty()) save_screenshot(options_.screenshot, size_);
+    if (std::exchange(save_screenshot_, false)) save_screenshot(options_.step.name + ".png", size_);
     if (show_panel_) {
         const auto panel_stage = stage("panel");
         if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
         panel_->draw(size_, options_, controls_, timer_.frames(), gl_string(GL_RENDERER));
     }
-    const bool last = options_.frames && drawn_ == *options_.frames + options_.warmup;
-    if (last && !options_.screenshot.empty()) save_screenshot(options_.screenshot, size_);
-    if (std::exchange(save_screenshot_, false)) save_screenshot(options_.step.name + ".png", size_);
     glutSwapBuffers();
     const Clock::time_point now = Clock::now();
     timer_.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count());
     if (!measuring()) timer_.keep(300);
     last_swap_ = now;
-    frame_open_ = false;
     show_frame_time();
 }
 

@@ -21,7 +21,7 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Shows the frame before, handles events, and clears for the next. False: the loop is over.
+    // Handles events, shows the frame before, and clears for the next. False: the loop is over.
     bool begin_frame();
 
     // After the loop: has the user asked to begin anew? The options may then have changed.
@@ -48,7 +48,7 @@ private:
 
     void check_gl() const;
     void announce();
-    void finish_frame();
+    void finish_frame(bool last);
     void report();
     bool measuring() const { return options_.benchmark || !options_.csv.empty(); }
     int steps_of_this_frame();
@@ -69,7 +69,7 @@ private:
     bool dragging_ = false;
     bool closing_ = false, save_screenshot_ = false, weather_changed_ = false;
     bool software_ = false;  // no graphics card behind this OpenGL
-    bool frame_open_ = false;
+    bool frame_open_ = false, window_gone_ = false;
     unsigned drawn_ = 0;  // frames, warm-up included
     int steps_ = 0;
     double owed_ = 0;  // s of physics the clock is ahead

@@ -4,6 +4,7 @@ import ctypes
 import functools
 import os
 import pathlib
+import re
 import subprocess
 import time
 
@@ -81,9 +82,12 @@ class Programs:
         """Runs `step` to its end. `environment`: variables to set, or with None to unset."""
         variables = {**os.environ, **(environment or {})}
         variables = {name: value for name, value in variables.items() if value is not None}
-        return subprocess.run(self.command(step, *arguments), env=variables, text=True,
-                              capture_output=True, timeout=PATIENCE,
-                              **{"cwd": self.folder, **more})
+        result = subprocess.run(self.command(step, *arguments), env=variables, text=True,
+                                capture_output=True, timeout=PATIENCE,
+                                **{"cwd": self.folder, **more})
+        # On a busy machine voxelising may take long enough to say how far it is.
+        result.stderr = re.sub(r"(\nvoxelising \d+ %)+\n", "", result.stderr)
+        return result
 
     def run_well(self, step, *arguments, **more):
         """The same, and it must succeed without a word on stderr."""

@@ -5,7 +5,7 @@
 #     tests/run.sh [--sanitize] [ctest options]
 #
 # --sanitize builds, in a folder of its own, with the address and undefined behaviour sanitizers.
-# The tests run one after the other, as each keeps the processor busy; "-j 4" runs four at a time.
+# As many tests run at a time as there are cores; "-j 1" runs one after the other.
 
 set -euo pipefail
 
@@ -30,4 +30,4 @@ quietly cmake --build "$build" --parallel "$(nproc)"
 # A display in memory and Mesa's software OpenGL: the same pixels on a laptop and on a server.
 export LIBGL_ALWAYS_SOFTWARE=1
 exec xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" \
-    ctest --test-dir "$build" --output-on-failure "$@"
+    ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@"

@@ -53,8 +53,9 @@ def scene(tmp_path):
 
 # In the courtyard: soft snow, a storm that blows it into every corner, and hail as hard as the
 # settings allow (27 m/s down, more than 50 m/s across).
+COURTYARD = ["--particles", 20000, "--seed", 7]
 WEATHERS = {
-    "snow": ["--voxels", 256, "--frames", 900],
+    "snow": ["--voxels", 256, "--frames", 800],
     "storm": ["--voxels", 64, "--frames", 600, "--set", "wind_x=3", "--set", "wind_z=-2",
               "--set", "turbulence=20"],
     "hail": ["--voxels", 256, "--frames", 300, "--weather", "hail", "--set", "wind_x=30",
@@ -65,7 +66,7 @@ WEATHERS = {
 
 @pytest.mark.parametrize("weather", WEATHERS)
 def test_gpu_agrees_with_the_cpu_and_with_the_grid(programs, walk, weather):
-    shared = ["--particles", 20000, "--seed", 7, *WEATHERS[weather]]
+    shared = [*COURTYARD, *WEATHERS[weather]]
     expected, grid = walk(*shared)
     flakes = programs.flakes(STEP, *shared)
 
@@ -99,11 +100,11 @@ def test_triangles_and_voxels_land_flakes_in_the_same_place(programs, walk, scen
     triangle and lands below. The edges of these scenes are 30 m long and the world is 256 m2: that
     is 0.7 % of the flakes.
     """
-    shared = ["--scene", scene(getattr(scenes, name)), "--particles", 20000, "--frames", 900]
+    shared = ["--scene", scene(getattr(scenes, name)), "--particles", 8000, "--frames", 720]
     voxels = programs.flakes(STEP, *shared)
     triangles = programs.flakes(STEP, *shared, "--variant", "triangles")
     both = (voxels.rest > 0) & (triangles.rest > 0) & (abs(voxels.age - triangles.age) < 0.001)
-    assert both.sum() > 1000
+    assert both.sum() > 500
     diagonal = numpy.sqrt(3) * 16 / 254  # m; one voxel of air on each side of 256
     apart = numpy.linalg.norm(voxels.position - triangles.position, axis=1)
     assert (apart[both] <= diagonal).mean() >= 0.98
@@ -113,30 +114,30 @@ def test_triangles_and_voxels_land_flakes_in_the_same_place(programs, walk, scen
 def test_no_snow_under_a_table_but_below_its_gap(programs, scene, variant):
     """Without wind. Turbulence shakes a flake sideways by some 10 cm over the last 2 m
     (standard deviation), so 0.5 m from the edges of a plank nothing may lie."""
-    flakes = programs.flakes(STEP, "--scene", scene(scenes.TABLE), "--particles", 20000,
-                             "--frames", 900, "--variant", variant)
+    flakes = programs.flakes(STEP, "--scene", scene(scenes.TABLE), "--particles", 8000,
+                             "--frames", 720, "--variant", variant)
     x, y, z = flakes.position[flakes.rest > 0].T
     on_floor = y < 0.2
     assert (on_floor & (abs(x) < 2.5) & (abs(z) > 1.0) & (abs(z) < 2.5)).sum() == 0
-    assert (on_floor & (abs(x) < 2.5) & (abs(z) < 0.3)).sum() > 20
-    assert (~on_floor & (abs(x) < 3) & (abs(z) < 3)).sum() > 200  # it lies on top instead
+    assert (on_floor & (abs(x) < 2.5) & (abs(z) < 0.3)).sum() > 5
+    assert (~on_floor & (abs(x) < 3) & (abs(z) < 3)).sum() > 100  # it lies on top instead
 
 
 def test_lee_side_of_a_wall_gets_less(programs, scene):
-    flakes = programs.flakes(STEP, "--scene", scene(scenes.WALL), "--particles", 20000,
-                             "--frames", 900, "--set", "wind_x=2")
+    flakes = programs.flakes(STEP, "--scene", scene(scenes.WALL), "--particles", 8000,
+                             "--frames", 720, "--set", "wind_x=2")
     x, y, z = flakes.position[flakes.rest > 0].T
     near = (y < 0.2) & (abs(z) < 3)
     windward, lee = (near & (x > -2) & (x < -0.3)).sum(), (near & (x > 0.3) & (x < 2)).sum()
     # The fastest flakes (1.7 m/s) come over the wall, 3 m high, and down 3.5 m behind it: the strip
     # of 1.7 m gets only what turbulence carries there.
-    assert windward > 100
+    assert windward > 30
     assert lee < 0.1 * windward
 
 
 def test_courtyard_has_dry_places(programs):
     """The arcade, 0.8 m and more inside the edge of its roof."""
-    flakes = programs.flakes(STEP, "--particles", 20000, "--frames", 900)
+    flakes = programs.flakes(STEP, *COURTYARD, *WEATHERS["snow"])
     x, y, z = flakes.position[flakes.rest > 0].T
     open_court = (x > -4) & (z > -4) & (x < 7.5) & (z < 7.5) & (y < 5)
     arcade = (numpy.minimum(x, z) > -7.6) & (numpy.minimum(x, z) < -5.7) & (numpy.maximum(x, z) < 7)
@@ -148,11 +149,11 @@ def test_courtyard_has_dry_places(programs):
 @pytest.mark.parametrize("variant", ["voxels", "triangles"])
 @pytest.mark.parametrize("weather", ["snow", "rain", "hail"])
 def test_ledger_balances(programs, scene, weather, variant):
-    result = programs.run_well(STEP, *SMALL, "--scene", scene(scenes.TABLE), "--frames", 1500,
-                               "--particles", 5000, "--weather", weather, "--variant", variant)
+    result = programs.run_well(STEP, *SMALL, "--scene", scene(scenes.TABLE), "--frames", 900,
+                               "--particles", 2000, "--weather", weather, "--variant", variant)
     entries = ledger(result.stdout)
     assert entries["released"] == sum(entries.values()) - entries["released"]
-    assert entries["melted"] > 1000 and entries["deposited"] == 0
+    assert entries["melted"] > 300 and entries["deposited"] == 0
 
 
 def ledger(output):

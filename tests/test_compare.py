@@ -50,6 +50,10 @@ with open(options.csv, "w") as file:
                "update_cpu_ms,update_gpu_ms,draw_cpu_ms,draw_gpu_ms\n")
     if does == "empty":
         sys.exit()
+    if does == "columns":
+        file.seek(0)
+        file.write("time")
+        sys.exit()
     if does != "hardware":
         for frame in range(3):  # slow frames, and not to be counted
             file.write(f"{known},{frame},{100 * frame_ms},finish,0.01,0.25,0.02,0.75\n")
@@ -105,7 +109,9 @@ def start(build, arguments, environment=None):
     variables.setdefault("DISPLAY", ":0")  # or it would look for one for the made-up programs
     return subprocess.Popen(
         [sys.executable, str(COMPARE), "--build", str(build), *map(str, arguments)],
-        cwd=build.parent, env=variables, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        cwd=build.parent, env=variables, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        # A shell that runs the tests in the background has them, and all they start, ignore Ctrl-C.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
 
 
 def compare(build, *arguments, environment=None):
@@ -191,13 +197,14 @@ def test_variants_come_on_top(fakes, no_chart):
     ("crash", "failed: killed by SIGSEGV"),
     ("malformed", "failed: malformed CSV, line 6"),
     ("words", "failed: malformed CSV, line 6"),
+    ("columns", "failed: malformed CSV: its first line is not step,variant,"),
     ("empty", "failed: its CSV holds no frame times"),
-    ("hang", "failed: stopped after 1 s"),
+    ("hang", "failed: stopped after 5 s"),
 ])
 def test_the_rest_go_on(fakes, no_chart, does, says):
     (fakes / "step02_vbo.does").write_text(does)
     result = compare(fakes, "--steps", "1,2,3", "--counts", 10, "--repeats", 2, "--frames", 3,
-                     "--timeout", 1 if does == "hang" else 60, environment=no_chart)
+                     "--timeout", 5 if does == "hang" else 60, environment=no_chart)
     assert result.returncode == 0
     assert f"step02_vbo at 10 flakes {says}" in result.stderr
     assert says in (fakes.parent / "comparison" / "compare.md").read_text()

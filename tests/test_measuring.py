@@ -5,7 +5,6 @@ import csv
 import pytest
 
 from conftest import SMALL, STEP_VARIANTS, STEPS
-from test_window import OpenProgram
 
 STAGES = {
     "step01_cpu_points": ["update", "draw"],
@@ -54,17 +53,6 @@ def test_measuring_changes_nothing(programs, tmp_path, step, variant):
     programs.run_well(step, *SMALL, *BENCHMARK, "--variant", variant, "--csv", tmp_path / "times.csv",
                       "--dump", path)
     assert path.read_bytes() == plain
-
-
-def test_a_closed_window_leaves_what_was_measured(programs, tmp_path):
-    path = tmp_path / "times.csv"
-    program = OpenProgram(programs, tmp_path, "step02_vbo", *SMALL, "--benchmark", "--warmup", 0,
-                          "--frames", 1000000000, "--csv", path)
-    program.press_close_button()
-    out, err = program.process.communicate(timeout=60)
-    assert (program.process.returncode, err) == (0, "")
-    assert "cut short" in out
-    assert len(read(path)) > 0
 
 
 def test_a_benchmark_does_not_wait_for_the_display(programs):

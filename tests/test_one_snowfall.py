@@ -3,25 +3,26 @@
 import numpy
 import pytest
 
-from conftest import STEP_VARIANTS, STEPS, WITH_SCENE
+from conftest import STEP_VARIANTS, STEPS, VARIANTS, WITH_SCENE
 
-SNOWFALL = ["--particles", 20000, "--seed", 7]
 ON_CPU = [pair for pair in STEP_VARIANTS if pair[0] < "step04"]
 ON_GPU = [pair for pair in STEP_VARIANTS if "step04" < pair[0] < "step06"]
 FRAMES = [60, 300, 900]
 
 
-def in_the_open(step):
-    """What makes it snow on nothing but the ground: steps 5 and 6 have a scene otherwise."""
-    return ["--scene", "none"] if step in WITH_SCENE else []
+def snowfall(step, frames, variant=None):
+    """The same snowfall for every program: with no scene but the ground."""
+    return [step, "--particles", 20000, "--seed", 7, "--frames", frames,
+            "--variant", variant or VARIANTS[step][0],
+            *(["--scene", "none"] if step in WITH_SCENE else [])]
 
 
 @pytest.mark.parametrize("step, variant", ON_CPU)
 def test_same_bytes_on_the_cpu(programs, step, variant):
     """One loop or three, points or crystals, uploaded this way or that: not one bit differs."""
-    expected = programs.dump("step01_cpu_points", *SNOWFALL, "--frames", 300)
+    expected = programs.dump(*snowfall("step01_cpu_points", 300))
     assert expected.count(b"\n") == 20001
-    assert programs.dump(step, *SNOWFALL, "--frames", 300, "--variant", variant) == expected
+    assert programs.dump(*snowfall(step, 300, variant)) == expected
 
 
 @pytest.mark.parametrize("frames", FRAMES)
@@ -35,9 +36,8 @@ def test_same_flakes_on_the_gpu(programs, step, variant, frames):
     one step earlier or later too. Where a flake is reborn depends on the step, so from then on it
     is elsewhere altogether.
     """
-    expected = programs.flakes("step01_cpu_points", *SNOWFALL, "--frames", frames)
-    flakes = programs.flakes(step, *SNOWFALL, "--frames", frames, "--variant", variant,
-                             *in_the_open(step))
+    expected = programs.flakes(*snowfall("step01_cpu_points", frames))
+    flakes = programs.flakes(*snowfall(step, frames, variant))
     distance = numpy.linalg.norm(flakes.position - expected.position, axis=1)
     assert (distance <= 0.001).mean() >= 0.999
 
@@ -45,7 +45,7 @@ def test_same_flakes_on_the_gpu(programs, step, variant, frames):
 @pytest.mark.parametrize("frames", FRAMES)
 @pytest.mark.parametrize("step", STEPS)
 def test_every_flake_is_where_a_flake_can_be(programs, step, frames):
-    flakes = programs.flakes(step, *SNOWFALL, "--frames", frames)
+    flakes = programs.flakes(*snowfall(step, frames))
     for quantity in (flakes.position, flakes.age, flakes.velocity, flakes.rest):
         assert numpy.isfinite(quantity).all()
     assert (flakes.position[:, 1] >= 0).all()                # none below the ground
@@ -58,7 +58,7 @@ def test_every_flake_is_where_a_flake_can_be(programs, step, frames):
 def test_no_flake_is_too_fast(programs, step):
     """Terminal speed, plus wind, plus what turbulence adds (derived in unit/physics_test.cpp)."""
     wind, turbulence, gravity = 5.0, 3.0, 9.81
-    flakes = programs.flakes(step, *SNOWFALL, "--frames", 600, "--set", f"wind_x={wind}")
+    flakes = programs.flakes(*snowfall(step, 300), "--set", f"wind_x={wind}")
     terminal = 1.15 * numpy.where(numpy.arange(20000) < 10000, 1.0, 1.5)  # fastest of each cloud
     fastest = wind + terminal * numpy.sqrt(1 + numpy.sqrt(3) * turbulence / gravity)
     speed = numpy.linalg.norm(flakes.velocity, axis=1)
