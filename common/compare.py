@@ -324,7 +324,7 @@ def report(experiment, lines, results, notes, settings, chart):
     text += [f"- Processor: {processor()}, {platform.system()}",
              f"- Window: {', '.join(sizes)} pixels, vsync off",
              f"- Measured: {settings.frames} frames a run after {settings.warmup} of warm-up, "
-             f"everything {settings.repeats} times, interleaved; "
+             f"repeats: {settings.repeats}, interleaved; "
              f"{datetime.date.today():%d %B %Y}"]
     density = min(1, (settings.warmup + settings.frames / 2) / STEADY)
     if density < 1:
