@@ -112,7 +112,7 @@ Options parse_options(int argc, char** argv, Step step)
     app.add_option("--warmup", options.warmup, "frames to run before the first that counts (0)");
     app.add_flag(
            "--benchmark", options.benchmark,
-           "measure: panel hidden, 60 frames of warm-up and 300 counted unless given, summary")
+           "measure: panel hidden, 720 frames of warm-up (until all snow is out), 300 counted")
         ->excludes(vsync);
     app.add_option("--csv", options.csv, "write the times of every frame to this file");
     app.add_flag("--realtime", options.realtime,
@@ -146,7 +146,7 @@ Options parse_options(int argc, char** argv, Step step)
     for (const auto& output : {options.screenshot, options.dump, options.dump_cover, options.csv}) {
         if (!output.empty()) check_writable(output);
     }
-    if (options.benchmark && app.count("--warmup") == 0) options.warmup = 60;
+    if (options.benchmark && app.count("--warmup") == 0) options.warmup = 720;
     // What is to be written after the last frame needs a last frame.
     if (!options.frames && options.reproducible()) options.frames = 300;
     return options;

@@ -32,7 +32,8 @@ std::string assemble(const std::string& name, std::vector<std::string>& files)
             assembled += "\n";  // it is in already
             continue;
         }
-        assembled += "#line 1 " + std::to_string(files.size()) + "\n" + assemble(match[1], files);
+        assembled += "#line 1 " + std::to_string(files.size()) + "\n";
+        assembled += assemble(match[1], files);
         assembled += "#line " + std::to_string(count + 1) + " " + std::to_string(number) + "\n";
     }
     return assembled;
@@ -101,7 +102,16 @@ Program::Program(const std::vector<Stage>& stages, const std::vector<const char*
                                  log.substr(0, log.find('\n')));
     }
     const GLuint block = glGetUniformBlockIndex(id_, "WeatherBlock");
-    if (block != GL_INVALID_INDEX) glUniformBlockBinding(id_, block, weather_binding);
+    if (block != GL_INVALID_INDEX) {
+        glUniformBlockBinding(id_, block, weather_binding);
+        GLint bytes = 0;
+        glGetActiveUniformBlockiv(id_, block, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+        if (bytes !=
+            GLint(sizeof(snow::Weather))) {  // shaders are read as they are, this was built
+            throw std::runtime_error(
+                "common/snow.glsl is not the one this program was built with: build again");
+        }
+    }
 }
 
 GLint Program::location(const char* name)

@@ -94,7 +94,7 @@ if [[ -n $picture ]]; then
 fi
 
 status=0
-xvfb-run -a -s "-screen 0 1280x720x24" "${command[@]}" || status=$?
+xvfb-run -a -s "-screen 0 2560x1440x24" "${command[@]}" || status=$?
 if ((status == 0)) && [[ -n $picture ]]; then
     say "The last frame is in $picture"
 fi

@@ -139,7 +139,9 @@ INLINE Particle unborn(uint index, IN(Weather) weather)
 
 INLINE bool airborne(Particle p)
 {
-    return p.age >= 0.0f && p.rest == 0.0f;
+    // One comparison, not two joined by &&: that is a branch, and would keep the CPU's loops from
+    // being vectorised.
+    return (p.age >= 0.0f ? p.rest : 1.0f) == 0.0f;
 }
 
 // Explicit Euler, first half: p' = p + dt v. What waits or lies has velocity zero.
@@ -161,10 +163,10 @@ INLINE Particle settle(Particle p, IN(Weather) weather)
 }
 
 // Explicit Euler, second half: v' = v + dt (a + r). a is gravity less the drag of the air,
-// quadratic in the speed u relative to it and equal to gravity at terminal speed: a = g - |g| |u| u
-// / terminal^2. r is a random push that lasts 16 steps, the flutter of a flake.
-// air: the velocity of the air around the flake, m/s.
-INLINE Particle accelerate_in(vec3 air, Particle p, uint index, uint step, IN(Weather) weather)
+// quadratic in the speed u relative to it and equal to gravity at terminal speed:
+// a = g - |g| |u| u / terminal^2. r is a random push that lasts 16 steps, the flutter of a flake.
+// air: its velocity around the flake, m/s; weather.wind where that blows evenly.
+INLINE Particle accelerate(Particle p, vec3 air, uint index, uint step, IN(Weather) weather)
 {
     float terminal = terminal_speed(index, weather);
     vec3 u = p.velocity - air;
@@ -178,12 +180,6 @@ INLINE Particle accelerate_in(vec3 air, Particle p, uint index, uint step, IN(We
     vec3 r = weather.turbulence * (push * (2.0f / 1023.0f) - 1.0f);
     p.velocity += (airborne(p) ? weather.time_step : 0.0f) * (weather.gravity - drag * u + r);
     return p;
-}
-
-// The same where the wind is the same everywhere.
-INLINE Particle accelerate(Particle p, uint index, uint step, IN(Weather) weather)
-{
-    return accelerate_in(weather.wind, p, index, step, weather);
 }
 
 // What is left of a flake's time to lie on a surface, s.
@@ -211,7 +207,7 @@ INLINE bool gone(Particle p, uint index, IN(Weather) weather)
 // A whole step of a flake in the open.
 INLINE Particle advance(Particle p, uint index, uint step, IN(Weather) weather)
 {
-    p = accelerate(settle(move(p, weather), weather), index, step, weather);
+    p = accelerate(settle(move(p, weather), weather), weather.wind, index, step, weather);
     if (gone(p, index, weather)) p = born(index, step, weather);
     return p;
 }

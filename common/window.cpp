@@ -156,11 +156,12 @@ bool Window::begin_frame()
     steps_ = steps_of_this_frame();
     glViewport(0, 0, size_.x, size_.y);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    // Software renderers answer some queries with 0: there the second half of a benchmark's warm-up
-    // is a pass of its own, in which the stages wait for each other and can be told apart.
+    // Software renderers answer some queries with 0: there the last frames of a benchmark's warm-up
+    // are a pass of its own, in which the stages wait for each other and can be told apart.
+    const unsigned pass = std::min(60u, options_.warmup / 2);
     const bool warm = drawn_ >= options_.warmup;
     const bool synchronised =
-        options_.benchmark && software_ && !warm && drawn_ >= options_.warmup / 2;
+        options_.benchmark && software_ && !warm && drawn_ + pass >= options_.warmup;
     if (synchronised || (measuring() ? warm : show_panel_)) timer_.begin_frame(synchronised);
     frame_open_ = true;
     ++drawn_;

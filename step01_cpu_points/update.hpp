@@ -8,10 +8,12 @@ namespace snow {
 
 // Births are rare (one flake in some 700 a step) and branch, so they stay out of the loops that the
 // compiler vectorises: those only find out whether a block of flakes, still in the cache, has any.
+// The weather is passed by value to all three: behind a reference it might be changed by any write
+// to a flake, for all the compiler knows, and would have to be read again for each.
 constexpr size_t block = 64;
 
 inline void give_birth(std::span<Particle> flakes, size_t begin, size_t end, uint step,
-                       const Weather& weather)
+                       Weather weather)
 {
     int any = 0;
     for (size_t i = begin; i < end; ++i) any |= gone(flakes[i], uint(i), weather);
@@ -22,24 +24,26 @@ inline void give_birth(std::span<Particle> flakes, size_t begin, size_t end, uin
 }
 
 // Everything that happens to a flake, then the next flake: each is loaded and stored once.
-inline void update_in_one_loop(std::span<Particle> flakes, uint step, const Weather& weather)
+inline void update_in_one_loop(std::span<Particle> flakes, uint step, Weather weather)
 {
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
         const size_t end = min(begin + block, flakes.size());
         for (size_t i = begin; i < end; ++i) {
-            flakes[i] =
-                accelerate(settle(move(flakes[i], weather), weather), uint(i), step, weather);
+            Particle p = flakes[i];
+            p = settle(move(p, weather), weather);
+            p = accelerate(p, weather.wind, uint(i), step, weather);
+            flakes[i] = p;
         }
         give_birth(flakes, begin, end, step, weather);
     }
 }
 
 // The same in three trips through memory: all positions, then all velocities, then all births.
-inline void update_in_three_loops(std::span<Particle> flakes, uint step, const Weather& weather)
+inline void update_in_three_loops(std::span<Particle> flakes, uint step, Weather weather)
 {
     for (Particle& flake : flakes) flake = settle(move(flake, weather), weather);
     for (size_t i = 0; i < flakes.size(); ++i)
-        flakes[i] = accelerate(flakes[i], uint(i), step, weather);
+        flakes[i].velocity = accelerate(flakes[i], weather.wind, uint(i), step, weather).velocity;
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
         give_birth(flakes, begin, min(begin + block, flakes.size()), step, weather);
     }

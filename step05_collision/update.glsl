@@ -10,7 +10,7 @@ void main()
     uint index = uint(gl_VertexID);
     Particle p = settle(move(load_flake(), weather), weather);
     if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather.time_step);
-    p = accelerate(p, index, step_number, weather);
+    p = accelerate(p, weather.wind, index, step_number, weather);
     if (gone(p, index, weather)) {
         if (old_age >= 0.0) count_end(melt_left(p, weather) < 0.0);
         p = born(index, step_number, weather);

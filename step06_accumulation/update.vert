@@ -47,7 +47,7 @@ void main()
     Particle p = settle(move(load_flake(), weather), weather);
     if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather.time_step);
     vec3 air = wind_at(p.position, step_number, weather);
-    p = accelerate_in(air, p, index, step_number, weather);
+    p = accelerate(p, air, index, step_number, weather);
     if (gone(p, index, weather)) {
         bool has_melted = melt_left(p, weather) < 0.0;
         if (old_age >= 0.0) {

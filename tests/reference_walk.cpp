@@ -27,7 +27,7 @@ Particle one_step(const Particle& old, uint index, uint step, const Weather& wea
 {
     Particle p = settle(move(old, weather), weather);
     if (airborne(old)) p = collide(old.position, p, weather.time_step);
-    p = accelerate(p, index, step, weather);
+    p = accelerate(p, weather.wind, index, step, weather);
     return gone(p, index, weather) ? born(index, step, weather) : p;
 }
 

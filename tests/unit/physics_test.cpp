@@ -69,7 +69,7 @@ TEST(Physics, FlakeInCalmAirReachesItsTerminalSpeed)
     const Weather weather = calm_weather(1.5f);
     Particle flake = born(0, 0, weather);
     for (uint step = 0; step < 120; ++step)
-        flake = accelerate(move(flake, weather), 0, step, weather);
+        flake = accelerate(move(flake, weather), weather.wind, 0, step, weather);
     EXPECT_NEAR(flake.velocity.y, -1.5f,
                 1e-4f);  // what is left of the way there after 13 time constants
 }
@@ -88,7 +88,7 @@ TEST(Physics, EulerStepConvergesWithOrderOne)
         weather.time_step = float(duration / steps);
         Particle flake{};
         for (int n = 0; n < steps; ++n)
-            flake = accelerate(move(flake, weather), 0, uint(n), weather);
+            flake = accelerate(move(flake, weather), weather.wind, 0, uint(n), weather);
         const double speed = std::abs(flake.velocity.y - exact_speed);
         const double height = std::abs(flake.position.y - exact_height);
         if (steps > 30) {

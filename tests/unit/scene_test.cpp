@@ -54,15 +54,6 @@ TEST_F(SceneFile, WithPolygonsIsDividedIntoTriangles)
     EXPECT_NEAR(area(load(square + "v -8 0 0\nv 8 0 0\nf 1 5 2 3 6 4\n")), 256, 1e-3);
 }
 
-TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
-{
-    // An L of three squares of 8 m.
-    const Scene l = load(square + "v 0 0 -8\nv 0 0 0\nv 8 0 0\nf 1 2 3 7 6 5\n");
-    EXPECT_EQ(l.vertices.size(), 12u);
-    EXPECT_NEAR(area(l), 3 * 64, 1e-3) << "some triangles lie outside the L";
-    EXPECT_NEAR(area(l, true), 3 * 64, 1e-3);
-}
-
 TEST_F(SceneFile, MayCountItsVerticesBackwards)
 {
     EXPECT_NEAR(area(load(square + "f -4 -3 -2 -1\n"), true), 256, 1e-3);
