@@ -85,8 +85,7 @@ class Programs:
         result = subprocess.run(self.command(step, *arguments), env=variables, text=True,
                                 capture_output=True, timeout=PATIENCE,
                                 **{"cwd": self.folder, **more})
-        # On a busy machine voxelising may take long enough to say how far it is.
-        result.stderr = re.sub(r"(\nvoxelising \d+ %)+\n", "", result.stderr)
+        result.stderr = without_progress(result.stderr)
         return result
 
     def run_well(self, step, *arguments, **more):
@@ -118,6 +117,11 @@ def programs(request, tmp_path_factory):
     if missing:
         pytest.exit(f"{build} holds no {', '.join(missing)}: build first (tests/run.sh does)", 1)
     return Programs(build, tmp_path_factory.mktemp("runs"))
+
+
+def without_progress(errors):
+    """On a busy machine voxelising may take long enough to say on stderr how far it is."""
+    return re.sub(r"(\nvoxelising \d+ %)+\n", "", errors)  # Python reads \r as \n
 
 
 def fails_with_one_line(result, status, *words):

@@ -34,8 +34,8 @@ def test_picture(request, programs, step, variant):
 
     Mesa's rasterizer differs from release to release in the last bits: along the edges of triangles
     and sprites a pixel more or less is covered, by some levels. One flake that is elsewhere (see
-    test_one_snowfall.py) changes 10 pixels, a fiftieth of 1 %. Flakes a tenth too large change 16 %,
-    a light a fifth too weak 47 %.
+    test_one_snowfall.py) changes 10 pixels, a fiftieth of 1 %. Flakes a tenth too large change
+    16 %, a light a fifth too weak 47 %.
     """
     saved = programs.build / "pictures"
     saved.mkdir(exist_ok=True)
