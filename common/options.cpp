@@ -12,24 +12,24 @@ namespace {
 
 constexpr int largest_window = 16384;
 
-std::string parameters_help(snow::Weather preset)
+std::string parameters_help(Options options)
 {
+    options.weather = snow::make_weather("snow", 0, 0);
     std::ostringstream text;
-    text << "Weather, for --set NAME=VALUE (value here: snow):\n";
-    for (const snow::Parameter& parameter : snow::weather_parameters()) {
+    text << "For --set NAME=VALUE (value here: in snow):\n";
+    for (const snow::Parameter& parameter : options.parameters()) {
         text << "  " << parameter.name << std::string(14 - std::string(parameter.name).size(), ' ')
-             << parameter.value(preset) << " " << parameter.unit << ", " << parameter.meaning
-             << "\n";
+             << *parameter.value << " " << parameter.unit << ", " << parameter.meaning << "\n";
     }
     return text.str();
 }
 
 // Changes the one parameter that `setting`, "name=value", names. Throws CLI::ValidationError.
-void apply_setting(const std::string& setting, snow::Weather& weather)
+void apply_setting(const std::string& setting, Options& options)
 {
     const size_t equals = setting.find('=');
     const std::string name = setting.substr(0, equals);
-    for (const snow::Parameter& parameter : snow::weather_parameters()) {
+    for (const snow::Parameter& parameter : options.parameters()) {
         if (name != parameter.name) continue;
         float value = 0;
         const bool number = equals != std::string::npos &&
@@ -41,7 +41,7 @@ void apply_setting(const std::string& setting, snow::Weather& weather)
                   << parameter.unit << ", not '" << setting << "'";
             throw CLI::ValidationError("--set", range.str());
         }
-        parameter.value(weather) = value;
+        *parameter.value = value;
         return;
     }
     throw CLI::ValidationError("--set", "no parameter is called '" + name + "', see --help");
@@ -63,6 +63,34 @@ glm::ivec2 parse_size(const std::string& text)
 
 }  // namespace
 
+std::string keys_help(const Step& step)
+{
+    std::string help =
+        "Mouse: drag to orbit, wheel to zoom. C: camera back. H: panel. Space: pause.\n"
+        "R: restart. S: screenshot. Escape: quit.";
+    for (const Setting& setting : step.settings) {
+        if (setting.key != 0) help += std::string(" ") + setting.key + ": " + setting.name + ".";
+    }
+    return help;
+}
+
+std::vector<snow::Parameter> Options::parameters()
+{
+    std::vector<snow::Parameter> all = snow::weather_parameters(weather);
+    for (Setting& s : step.settings) {
+        all.push_back({s.name, s.unit, s.least, s.most, s.meaning, &s.value});
+    }
+    return all;
+}
+
+float Options::setting(std::string_view name) const
+{
+    for (const Setting& s : step.settings) {
+        if (s.name == name) return s.value;
+    }
+    throw std::logic_error(step.name + " has no setting named " + std::string(name));
+}
+
 Options parse_options(int argc, char** argv, Step step)
 {
     Options options;
@@ -79,7 +107,8 @@ Options parse_options(int argc, char** argv, Step step)
         ->check(CLI::IsMember(options.step.variants));
     app.add_option("--weather", preset, "kind of weather (snow)")
         ->check(CLI::IsMember({"snow", "rain", "hail"}));
-    app.add_option("--set", settings, "NAME=VALUE, one number of the weather (list below)")
+    app.add_option("--set", settings,
+                   "NAME=VALUE, a number of the weather or of the step (list below)")
         ->allow_extra_args(false);
     if (options.step.has_scene) {
         app.add_option("--scene", options.scene,
@@ -125,13 +154,13 @@ Options parse_options(int argc, char** argv, Step step)
                        "write the mass of lying snow, cell by cell, to this CSV file");
     }
     app.add_flag("--debug", options.debug, "OpenGL debug context, messages to stderr");
-    app.footer(parameters_help(snow::make_weather("snow", 0, 0)) + "\n" + keys_help + "\n");
+    app.footer(parameters_help(options) + "\n" + keys_help(options.step) + "\n");
 
     try {
         app.parse(argc, argv);
         options.size = parse_size(size);
         options.weather = snow::make_weather(preset, particles, seed);
-        for (const std::string& setting : settings) apply_setting(setting, options.weather);
+        for (const std::string& setting : settings) apply_setting(setting, options);
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();
         std::exit(0);

@@ -5,9 +5,26 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/snow.hpp"
+
+// A number that only one step has, changed like those of the weather.
+struct Setting {
+    const char* name;
+    const char* unit;
+    float least, most;
+    float value;
+    const char* meaning;
+    char key = 0;  // that turns a switch on and off
+};
+
+// A part of the step that can be switched off.
+constexpr Setting a_switch(const char* name, bool on, const char* meaning, char key = 0)
+{
+    return {name, "on/off", 0, 1, on ? 1.0f : 0.0f, meaning, key};
+}
 
 // What a step tells about itself.
 struct Step {
@@ -19,6 +36,7 @@ struct Step {
     bool has_cover = false;                    // takes --dump-cover
     bool fixed_points = false;                 // takes --groups and --point-size
     std::vector<const char*> extensions = {};  // needed besides the version
+    std::vector<Setting> settings = {};        // of its own
 };
 
 struct Options {
@@ -46,6 +64,13 @@ struct Options {
                (benchmark || frames || !screenshot.empty() || !dump.empty() || !dump_cover.empty());
     }
 
+    // All that --set and the panel's sliders change: the weather, then the step's own settings.
+    std::vector<snow::Parameter> parameters();
+
+    // A setting of the step. Throws std::logic_error if it has none of that name.
+    float setting(std::string_view name) const;
+    bool on(std::string_view name) const { return setting(name) != 0; }
+
     // The first flake of a group; of group `groups`, one past the last of all.
     unsigned group_begin(unsigned group) const
     {
@@ -53,10 +78,8 @@ struct Options {
     }
 };
 
-// What the keys do, for --help and for the panel.
-inline constexpr const char* keys_help =
-    "Mouse: drag to orbit, wheel to zoom. C: camera back. H: panel. Space: pause. R: restart.\n"
-    "S: screenshot. Escape: quit.";
+// What the keys do in a step, for --help and for the panel.
+std::string keys_help(const Step& step);
 
 // Parses and checks the command line. --help ends the program with status 0, a line that makes no
 // sense with 2; what cannot be done (an output that cannot be written) throws std::runtime_error.

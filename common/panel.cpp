@@ -70,6 +70,24 @@ void draw_times(const std::deque<FrameTime>& frames)
     }
 }
 
+// A slider, or a check box for a switch. Returns true if it was moved.
+bool draw_parameter(const snow::Parameter& parameter)
+{
+    bool changed = false;
+    if (parameter.is_switch()) {
+        bool on = *parameter.value != 0;
+        changed = ImGui::Checkbox(parameter.name, &on);
+        *parameter.value = on ? 1.0f : 0.0f;
+    } else {
+        char format[32];
+        std::snprintf(format, sizeof format, "%%.3g %s", parameter.unit);
+        changed = ImGui::SliderFloat(parameter.name, parameter.value, parameter.least,
+                                     parameter.most, format, ImGuiSliderFlags_Logarithmic);
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning);
+    return changed;
+}
+
 }  // namespace
 
 Panel::Panel()
@@ -122,13 +140,8 @@ void Panel::draw(glm::ivec2 size, Options& options, Controls& controls,
         }
         if (variant != options.step.variants.back()) ImGui::SameLine();
     }
-    for (const snow::Parameter& parameter : snow::weather_parameters()) {
-        char format[32];
-        std::snprintf(format, sizeof format, "%%.3g %s", parameter.unit);
-        controls.weather_changed |=
-            ImGui::SliderFloat(parameter.name, &parameter.value(options.weather), parameter.least,
-                               parameter.most, format, ImGuiSliderFlags_Logarithmic);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning);
+    for (const snow::Parameter& parameter : options.parameters()) {
+        controls.weather_changed |= draw_parameter(parameter);
     }
 
     ImGui::Separator();
@@ -137,7 +150,7 @@ void Panel::draw(glm::ivec2 size, Options& options, Controls& controls,
     controls.single_step |= ImGui::Button("single step");
     ImGui::SameLine();
     controls.restart |= ImGui::Button("restart");
-    ImGui::TextDisabled("%s", keys_help);
+    ImGui::TextDisabled("%s", keys_help(options.step).c_str());
     ImGui::End();
     ImGui::Render();
 

@@ -11,6 +11,8 @@
 #define IN(type) type
 #endif
 
+const uint snow_kind = 0u, rain_kind = 1u, hail_kind = 2u;
+
 struct Particle {
     vec3 position;  // m
     float age;      // s since birth; negative while the flake waits for its first birth
@@ -35,15 +37,14 @@ struct Weather {
     float time_step;   // s
     vec3 world_max;    // m
     float lifetime;    // s, mean
-    uint particles;  // flakes in the pool: the first half belongs to emitter 0, the rest to emitter
-                     // 1
+    uint particles;    // in the pool: the first half is of emitter 0, the rest of emitter 1
     uint seed;
     float variation;    // relative spread of speed, diameter and lifetime from flake to flake
     float snowfall;     // m of depth a minute that lie on open ground, where snow accumulates
     float temperature;  // degrees Celsius; above 0 the snow that lies melts
     float repose;       // degrees, the steepest slope on which snow lies (its angle of repose)
-    float gusts;        // largest change of the wind in a gust, relative (step 6)
-    float unused;       // fills the row of four
+    float restitution;  // part of its speed that a flake keeps when it bounces
+    uint kind;          // snow, rain or hail, as below
     Emitter emitters[2];
 };
 
@@ -152,13 +153,33 @@ INLINE Particle move(Particle p, IN(Weather) weather)
     return p;
 }
 
-// A flake that reaches the ground lies on it; one that lies grows older there.
+// The part of its speed that a flake keeps when it comes down on a surface: 0, and it stays there,
+// unless it is fast enough to bounce.
+INLINE float speed_kept(Particle p, IN(Weather) weather)
+{
+    const float least_rebound = 0.5f;  // m/s
+    return -weather.restitution * p.velocity.y < least_rebound ? 0.0f : weather.restitution;
+}
+
+// A flake that has come down on a surface.
+INLINE Particle land(Particle p, IN(Weather) weather)
+{
+    float kept = speed_kept(p, weather);
+    p.velocity *= vec3(kept, -kept, kept);
+    p.rest = kept > 0.0f ? 0.0f : weather.time_step;
+    return p;
+}
+
+// A flake that reaches the ground lands on it; one that lies grows older there.
 INLINE Particle settle(Particle p, IN(Weather) weather)
 {
     bool on_ground = airborne(p) && p.position.y <= 0.0f;
-    p.rest = on_ground || p.rest > 0.0f ? p.rest + weather.time_step : 0.0f;
+    float bounce = speed_kept(p, weather);
+    float kept = on_ground ? bounce : 1.0f;
+    float moving = p.rest > 0.0f ? 0.0f : kept;
+    p.rest = moving == 0.0f ? p.rest + weather.time_step : 0.0f;
     p.position.y = on_ground ? 0.0f : p.position.y;
-    p.velocity *= p.rest > 0.0f ? 0.0f : 1.0f;
+    p.velocity *= vec3(kept, on_ground ? -kept : kept, kept);
     return p;
 }
 

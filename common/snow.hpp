@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace snow {
@@ -18,15 +18,19 @@ static_assert(sizeof(Emitter) == 32 && sizeof(Weather) == 160, "the layout std14
 // Largest pool a program accepts: 1.6 GB of flakes, and an index that a GLsizei holds.
 constexpr uint max_particles = 50'000'000;
 
-// One number of the weather that a user may set: `--set name=value`.
+// A number that the user may change: `--set name=value`, or its slider in the panel.
 struct Parameter {
     const char* name;
     const char* unit;
     float least, most;
     const char* meaning;
-    float& (*value)(Weather&);
+    float* value;
+
+    bool is_switch() const { return std::string_view(unit) == "on/off"; }
 };
-std::span<const Parameter> weather_parameters();
+
+// Those of `weather`.
+std::vector<Parameter> weather_parameters(Weather& weather);
 
 // The weather called "snow", "rain" or "hail", for a pool of that many flakes.
 Weather make_weather(const std::string& preset, uint particles, uint seed);

@@ -5,41 +5,34 @@
 
 namespace snow {
 
-std::span<const Parameter> weather_parameters()
+std::vector<Parameter> weather_parameters(Weather& weather)
 {
-    static const Parameter parameters[] = {
-        {"gravity", "m/s2", -30, -0.1f, "pull of the earth along y",
-         [](Weather& w) -> float& { return w.gravity.y; }},
+    return {
+        {"gravity", "m/s2", -30, -0.1f, "pull of the earth along y", &weather.gravity.y},
         {"turbulence", "m/s2", 0, 50, "largest random push on a flake, along each axis",
-         [](Weather& w) -> float& { return w.turbulence; }},
-        {"wind_x", "m/s", -30, 30, "wind towards +x",
-         [](Weather& w) -> float& { return w.wind.x; }},
-        {"wind_z", "m/s", -30, 30, "wind towards +z",
-         [](Weather& w) -> float& { return w.wind.z; }},
-        {"gusts", "", 0, 2, "largest change of the wind in a gust, relative (step 6)",
-         [](Weather& w) -> float& { return w.gusts; }},
-        {"melt_time", "s", 0, 600, "time a flake lies on a surface",
-         [](Weather& w) -> float& { return w.melt_time; }},
-        {"lifetime", "s", 0.1f, 600, "mean time after which a flake is lost",
-         [](Weather& w) -> float& { return w.lifetime; }},
+         &weather.turbulence},
+        {"wind_x", "m/s", -30, 30, "wind towards +x", &weather.wind.x},
+        {"wind_z", "m/s", -30, 30, "wind towards +z", &weather.wind.z},
+        {"melt_time", "s", 0, 600, "time a flake lies on a surface", &weather.melt_time},
+        {"lifetime", "s", 0.1f, 600, "mean time after which a flake is lost", &weather.lifetime},
         {"variation", "", 0, 0.9f, "relative spread of speed, size and lifetime",
-         [](Weather& w) -> float& { return w.variation; }},
+         &weather.variation},
         {"snowfall", "m/min", 0, 10, "depth that comes to lie on open ground (step 6)",
-         [](Weather& w) -> float& { return w.snowfall; }},
+         &weather.snowfall},
         {"temperature", "C", -30, 30, "of the air; above 0 the snow that lies melts (step 6)",
-         [](Weather& w) -> float& { return w.temperature; }},
-        {"repose", "degrees", 5, 80, "steepest slope on which snow lies (step 6)",
-         [](Weather& w) -> float& { return w.repose; }},
+         &weather.temperature},
+        {"repose", "degrees", 5, 80, "steepest slope on which snow lies (step 6)", &weather.repose},
+        {"restitution", "", 0, 0.9f, "part of its speed that a flake keeps when it bounces",
+         &weather.restitution},
         {"speed_0", "m/s", 0.1f, 300, "mean terminal speed of emitter 0's flakes",
-         [](Weather& w) -> float& { return w.emitters[0].terminal_speed; }},
+         &weather.emitters[0].terminal_speed},
         {"speed_1", "m/s", 0.1f, 300, "mean terminal speed of emitter 1's flakes",
-         [](Weather& w) -> float& { return w.emitters[1].terminal_speed; }},
+         &weather.emitters[1].terminal_speed},
         {"diameter_0", "m", 0.001f, 1, "mean diameter of emitter 0's flakes as drawn",
-         [](Weather& w) -> float& { return w.emitters[0].diameter; }},
+         &weather.emitters[0].diameter},
         {"diameter_1", "m", 0.001f, 1, "mean diameter of emitter 1's flakes as drawn",
-         [](Weather& w) -> float& { return w.emitters[1].diameter; }},
+         &weather.emitters[1].diameter},
     };
-    return parameters;
 }
 
 Weather make_weather(const std::string& preset, uint particles, uint seed)
@@ -56,7 +49,6 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.seed = seed;
     weather.variation = 0.15f;
     weather.snowfall = 0.1f;  // a blizzard, so that there is something to see within a minute
-    weather.gusts = 0.3f;
     weather.temperature = -2;
     weather.repose = 38;  // of fresh snow
     // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the
@@ -67,6 +59,9 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.emitters[1] = {{0, 12, 0}, 1.5f, {8, 0.75f, 8}, 0.08f};
     if (preset == "rain" || preset == "hail") {
         const bool rain = preset == "rain";
+        weather.kind = rain ? rain_kind : hail_kind;
+        weather.restitution = rain ? 0.0f : 0.3f;
+        if (rain) weather.temperature = 4;
         weather.snowfall = rain ? 0.0f : 0.05f;
         weather.turbulence = rain ? 1.0f : 0.5f;
         weather.melt_time = rain ? 0.2f : 6.0f;

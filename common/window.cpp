@@ -280,6 +280,9 @@ void Window::on_key(unsigned char key, int x, int y)
         window.save_screenshot_ = true;
         break;
     default:
+        for (Setting& setting : window.options_.step.settings) {
+            if (std::toupper(key) == setting.key) setting.value = setting.value != 0 ? 0.0f : 1.0f;
+        }
         break;
     }
 }
@@ -314,11 +317,11 @@ void Window::on_reshape(int width, int height)
     the_window->size_ = {std::max(width, 1), std::max(height, 1)};
 }
 
-int run_step(int argc, char** argv, const Step& step, void (*run)(Window&))
+int run_program(int argc, char** argv, const Step& step,
+                const std::function<void(Window&)>& program)
 try {
     Window window(parse_options(argc, argv, step));
-    do run(window);
-    while (window.again());
+    program(window);
     return 0;
 } catch (const std::exception& failure) {
     std::cerr << "error: " << failure.what() << std::endl;

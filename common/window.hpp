@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
@@ -77,7 +78,28 @@ private:
     unsigned drawn_at_last_title_ = 0;
 };
 
-// The whole of a step's program: takes the command line, opens the window, and calls `run` until
-// the user has had enough. Returns the exit status: 0 done, 1 cannot run, after one line on stderr
-// that says why. (A wrong command line ends the program with 2.)
-int run_step(int argc, char** argv, const Step& step, void (*run)(Window&));
+// The whole of a step's program: takes the command line, opens the window and calls `program`.
+// Returns the exit status: 0 done, 1 cannot run, after one line on stderr that says why. (A wrong
+// command line ends the program with 2.)
+int run_program(int argc, char** argv, const Step& step,
+                const std::function<void(Window&)>& program);
+
+// A program that calls `run`, from the first flake to the last, until the user has had enough.
+inline int run_step(int argc, char** argv, const Step& step, void (*run)(Window&))
+{
+    return run_program(argc, argv, step, [run](Window& window) {
+        do run(window);
+        while (window.again());
+    });
+}
+
+// The same, for a step with a World: what it makes of the options once, and every run shares.
+template <typename World>
+int run_step(int argc, char** argv, const Step& step, void (*run)(Window&, const World&))
+{
+    return run_program(argc, argv, step, [run](Window& window) {
+        const World world(window.options());
+        do run(window, world);
+        while (window.again());
+    });
+}

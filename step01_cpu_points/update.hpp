@@ -2,6 +2,8 @@
 // Both give the same flakes to the last bit.
 #pragma once
 
+#include <span>
+
 #include "common/snow.hpp"
 
 namespace snow {

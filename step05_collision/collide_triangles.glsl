@@ -23,7 +23,7 @@ float meet(vec3 from, vec3 way, vec3 a, vec3 b, vec3 c)
     return part >= 0.0 && part <= 1.0 ? part : 2.0;
 }
 
-Particle collide(vec3 from, Particle p, float time_step)
+Particle collide(vec3 from, Particle p, Weather weather)
 {
     const float gap = 0.0005;  // m, kept from a surface so that the next step starts outside of it
     for (int slides = 0; slides < 3; ++slides) {
@@ -45,9 +45,7 @@ Particle collide(vec3 from, Particle p, float time_step)
         from += nearest * way + gap * normal;
         if (normal.y > 0.1) {  // anything but a wall or a ceiling
             p.position = from;
-            p.velocity = vec3(0.0);
-            p.rest = time_step;
-            return p;
+            return land(p, weather);
         }
         vec3 rest_of_way = p.position - from;
         p.position = from + rest_of_way - normal * dot(rest_of_way, normal);

@@ -8,11 +8,11 @@
 #include "common/options.hpp"
 #include "common/output.hpp"
 #include "common/program.hpp"
-#include "common/scene.hpp"
 #include "common/window.hpp"
 #include "step03_shader_points/particle_layout.hpp"
 #include "step05_collision/ledger.hpp"
 #include "step05_collision/scene_collider.hpp"
+#include "step05_collision/solid_scene.hpp"
 
 using namespace snow;
 
@@ -26,7 +26,7 @@ const Step this_step = {
 };
 
 // From the first flake to the last frame, or until the panel asks for other flakes.
-void run(Window& window)
+void run(Window& window, const SolidScene& solid)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
@@ -47,11 +47,7 @@ void run(Window& window)
     }
     int now = 0;  // the buffer that holds the flakes as they are
 
-    const Scene scene = load_scene(options.scene, options.up);
-    const SceneMesh mesh(scene);
-    const VoxelGrid grid = voxelise(scene, options.voxels);
-    const GlObject voxels = upload_voxels(grid);
-    const TriangleTexture triangle_texture(triangles ? scene : Scene{});
+    const TriangleTexture triangle_texture(triangles ? solid.scene : Scene{});
     const Ledger ledger;
 
     GlObject weather_block = upload_weather(weather);
@@ -77,7 +73,7 @@ void run(Window& window)
             if (triangles) {
                 triangle_texture.set(update);
             } else {
-                set_voxels(update, grid, voxels);
+                set_voxels(update, solid.grid, solid.voxels);
             }
             for (int n = 0; n < window.steps(); ++n, ++step) {
                 update.set("step_number", step);
@@ -98,7 +94,7 @@ void run(Window& window)
             surface.set("projection", window.projection());
             surface.set("eye", window.eye());
             surface.set("fog", sky);
-            mesh.draw();
+            solid.mesh.draw();
         }
         {
             const auto stage = window.stage("draw");

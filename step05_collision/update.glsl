@@ -1,5 +1,5 @@
 // One step of one flake, as in step 4, with the scene in its way. What happens to it is counted.
-// Whoever includes this has defined collide(from, p, time_step): what becomes of a flake p that has just
+// Whoever includes this has defined collide(from, p, weather): what becomes of a flake p that has just
 // moved in a straight line from `from`.
 
 #include "step04_transform_feedback/flake_state.glsl"
@@ -9,7 +9,7 @@ void main()
 {
     uint index = uint(gl_VertexID);
     Particle p = settle(move(load_flake(), weather), weather);
-    if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather.time_step);
+    if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
     p = accelerate(p, weather.wind, index, step_number, weather);
     if (gone(p, index, weather)) {
         if (old_age >= 0.0) count_end(melt_left(p, weather) < 0.0);

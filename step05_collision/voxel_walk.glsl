@@ -16,9 +16,9 @@ INLINE vec3 inside_cell(vec3 position, ivec3 cell)
 
 // Follows flake p, which has just moved from `from` in a straight line, cell by cell (Amanatides and
 // Woo, "A Fast Voxel Traversal Algorithm", 1987), so that no speed lets it pass through anything.
-// A solid cell entered from above: it lands, in the empty cell it came from. Entered from another side:
+// A solid cell entered from above: it lands (or bounces) in the empty cell it came from. Entered from another side:
 // it loses that component of its velocity and slides on with the rest of its way.
-INLINE Particle collide(vec3 from, Particle p, float time_step)
+INLINE Particle collide(vec3 from, Particle p, IN(Weather) weather)
 {
     for (int slides = 0; slides < 3; ++slides) {
         vec3 way = p.position - from;
@@ -50,9 +50,7 @@ INLINE Particle collide(vec3 from, Particle p, float time_step)
         from = inside_cell(from + next[blocked] * way, cell);
         if (blocked == 1 && direction < 0) {
             p.position = from;
-            p.velocity = vec3(0.0f);
-            p.rest = time_step;
-            return p;
+            return land(p, weather);
         }
         p.position[blocked] = from[blocked];
         p.velocity[blocked] = 0.0f;

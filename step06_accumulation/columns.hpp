@@ -5,6 +5,7 @@
 
 #include "common/program.hpp"
 #include "step05_collision/scene_collider.hpp"
+#include "step05_collision/solid_scene.hpp"
 
 class Columns {
 public:
@@ -19,15 +20,15 @@ public:
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, meltwater_);
     }
 
-    // Gives a part of the columns their turn; `step` says which.
-    void update(unsigned step, const VoxelGrid& grid, GLuint voxels, const snow::Weather& weather)
+    // Both give a part of the columns their turn; `step` says which.
+    void settle(unsigned step, const SolidScene& solid) { dispatch(settle_, step, solid); }
+
+    void melt(unsigned step, const SolidScene& solid, const snow::Weather& weather)
     {
-        const unsigned part = columns_ / turns;
-        dispatch(settle_, step % turns * part, part, grid, voxels);
         if (weather.temperature <= 0) return;
         melt_.use();
         melt_.set("seconds", turns * weather.time_step);
-        dispatch(melt_, step % turns * part, part, grid, voxels);
+        dispatch(melt_, step, solid);
     }
 
     // Mass melted so far. For the end, never in a frame.
@@ -42,13 +43,13 @@ public:
 private:
     static constexpr unsigned turns = 64;  // steps in a round
 
-    void dispatch(Program& program, unsigned first, unsigned count, const VoxelGrid& grid,
-                  GLuint voxels)
+    void dispatch(Program& program, unsigned step, const SolidScene& solid)
     {
+        const unsigned count = columns_ / turns;
         program.use();
-        set_voxels(program, grid, voxels);
-        program.set("first_column", first);
-        glDispatchCompute(count / 64, 1, 1);  // 64: local_size_x of the shaders
+        set_voxels(program, solid.grid, solid.voxels);
+        program.set("first_column", step % turns * count);
+        glDispatchCompute((count + 63) / 64, 1, 1);  // 64: local_size_x of the shaders
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
 

@@ -8,12 +8,13 @@
 #include "common/options.hpp"
 #include "common/output.hpp"
 #include "common/program.hpp"
-#include "common/scene.hpp"
 #include "common/window.hpp"
 #include "step03_shader_points/particle_layout.hpp"
 #include "step05_collision/ledger.hpp"
 #include "step05_collision/scene_collider.hpp"
+#include "step05_collision/solid_scene.hpp"
 #include "step06_accumulation/columns.hpp"
+#include "step06_accumulation/frame.hpp"
 #include "step06_accumulation/snow_cover.hpp"
 #include "step06_accumulation/wind_field.hpp"
 
@@ -26,10 +27,26 @@ const Step this_step = {
     .variants = {"cells"},
     .has_scene = true,
     .has_cover = true,
+    .settings =
+        {
+            a_switch("settling", true, "snow steeper than its angle of repose slides"),
+            a_switch("melting", true, "snow melts where it is warmer than 0 degrees"),
+            a_switch("wind_field", true, "the wind flows around the scene"),
+            a_switch("sky", true, "sky, and a field around the scene"),
+            {"gusts", "", 0, 2, 0.3f, "largest change of the wind in a gust, relative"},
+        },
+};
+
+// What the programs of all runs share.
+struct World {
+    explicit World(const Options& options) : solid(options), wind(solid.grid) {}
+
+    SolidScene solid;
+    WindField wind;
 };
 
 // From the first flake to the last frame, or until the panel asks for other flakes.
-void run(Window& window)
+void run(Window& window, const World& world)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
@@ -49,15 +66,12 @@ void run(Window& window)
     }
     int now = 0;  // the buffer that holds the flakes as they are
 
-    const Scene scene = load_scene(options.scene, options.up);
-    const SceneMesh mesh(scene);
-    const VoxelGrid grid = voxelise(scene, options.voxels);
-    const GlObject voxels = upload_voxels(grid);
-    const WindField wind(grid);
-    SnowCover cover(grid);
-    Columns columns(grid);
+    const SolidScene& solid = world.solid;
+    SnowCover cover(solid.grid);
+    Columns columns(solid.grid);
     const Ledger ledger;
 
+    FrameBlock frame;
     GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, "step06_accumulation/update.vert"}},
                    {"position", "age", "velocity", "rest"});
@@ -79,8 +93,8 @@ void run(Window& window)
         {
             const auto stage = window.stage("update");
             update.use();
-            set_voxels(update, grid, voxels);
-            wind.set(update);
+            set_voxels(update, solid.grid, solid.voxels);
+            world.wind.set(update, options);
             update.set("flake_mass", cover.flake_mass(weather));
             for (int n = 0; n < window.steps(); ++n, ++step) {
                 update.set("step_number", step);
@@ -95,18 +109,18 @@ void run(Window& window)
                 now = 1 - now;
             }
         }
-        {
-            const auto stage = window.stage("accumulate");
-            for (uint done = step - uint(window.steps()); done < step; ++done) {
-                columns.update(done, grid, voxels, weather);
-            }
+        if (options.on("settling")) {
+            const auto stage = window.stage("settle");
+            for (int n = window.steps(); n > 0; --n) columns.settle(step - uint(n), solid);
         }
-        {
+        if (options.on("melting")) {
+            const auto stage = window.stage("melt");
+            for (int n = window.steps(); n > 0; --n) columns.melt(step - uint(n), solid, weather);
+        }
+        frame.update(window, step);
+        if (options.on("sky")) {
             const auto stage = window.stage("sky");
             backdrop.use();
-            backdrop.set("to_world", inverse(window.projection() * window.view()));
-            backdrop.set("window_size", window.size());
-            backdrop.set("field_depth", float(step) * weather.time_step * weather.snowfall / 60.0f);
             backdrop.set("eye", window.eye());
             backdrop.set("fog", sky);
             glDepthMask(GL_FALSE);  // everything else is nearer
@@ -116,12 +130,10 @@ void run(Window& window)
         {
             const auto stage = window.stage("scene");
             surface.use();
-            set_voxels(surface, grid, voxels);
-            surface.set("view", window.view());
-            surface.set("projection", window.projection());
+            set_voxels(surface, solid.grid, solid.voxels);
             surface.set("eye", window.eye());
             surface.set("fog", sky);
-            mesh.draw();
+            solid.mesh.draw();
         }
         {
             const auto stage = window.stage("draw");
@@ -143,7 +155,7 @@ void run(Window& window)
     dump_flakes(options.dump, flakes);
     const std::vector<GLuint> mass = cover.read();
     cover.print(mass, columns.melted(), ledger.print(flakes));
-    dump_cover(options.dump_cover, grid, mass);
+    dump_cover(options.dump_cover, solid.grid, mass);
 }
 
 int main(int argc, char** argv)

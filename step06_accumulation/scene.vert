@@ -1,10 +1,9 @@
 #version 430 core
 // Lifts a point of the scene by the snow that lies on it.
 
+#include "step06_accumulation/frame.glsl"
 #include "step06_accumulation/snow_cover.glsl"
 
-uniform mat4 view;
-uniform mat4 projection;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -51,5 +50,5 @@ void main()
     world_normal = normal;
     snow_normal = normalize(normal / max(normal.y, 0.2) - vec3(depth.y, 0.0, depth.z));
     base_colour = colour;
-    gl_Position = projection * view * vec4(world_position, 1.0);
+    gl_Position = frame.projection * frame.view * vec4(world_position, 1.0);
 }

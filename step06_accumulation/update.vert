@@ -45,7 +45,7 @@ void main()
 {
     uint index = uint(gl_VertexID);
     Particle p = settle(move(load_flake(), weather), weather);
-    if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather.time_step);
+    if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
     vec3 air = wind_at(p.position, step_number, weather);
     p = accelerate(p, air, index, step_number, weather);
     if (gone(p, index, weather)) {

@@ -184,8 +184,10 @@ WindField::WindField(const VoxelGrid& grid)
               << " of the speed a cell" << std::endl;
 }
 
-void WindField::set(Program& program) const
+void WindField::set(Program& program, const Options& options) const
 {
+    program.set("around_the_scene", options.on("wind_field") ? 1 : 0);
+    program.set("gusts", options.setting("gusts"));
     program.set("wind_along_x", 1);
     program.set("wind_along_z", 2);
     glActiveTexture(GL_TEXTURE1);

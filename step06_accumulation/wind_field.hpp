@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/gl_object.hpp"
+#include "common/options.hpp"
 #include "common/program.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
@@ -35,7 +36,7 @@ public:
     explicit WindField(const VoxelGrid& grid);
 
     // Gives them to the program in use, on texture units 1 and 2.
-    void set(Program& program) const;
+    void set(Program& program, const Options& options) const;
 
 private:
     GlObject along_x_, along_z_;

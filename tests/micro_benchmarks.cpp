@@ -1,5 +1,5 @@
-// What the parts that run on the CPU can do, apart from any frame: `make micro_benchmarks` builds
-// it, `tests/micro_benchmarks --help` lists the options (--benchmark_filter=update picks some).
+// What the parts that run on the CPU can do, apart from any frame:
+// `tests/micro_benchmarks --help` lists the options (--benchmark_filter=update picks some).
 // Nothing here opens a window.
 
 #include <benchmark/benchmark.h>
@@ -45,7 +45,7 @@ void count_flakes(benchmark::State& state, size_t flakes)
 // ---- Moving flakes against moving nothing but their bytes: where the two meet, memory is what
 // the update waits for.
 
-template <void (*update)(std::span<Particle>, uint, const Weather&)>
+template <void (*update)(std::span<Particle>, uint, Weather)>
 void update_flakes(benchmark::State& state)
 {
     const Weather weather = make_weather("snow", uint(state.range(0)), 1);

@@ -26,7 +26,7 @@ bool solid(ivec3 cell)
 Particle one_step(const Particle& old, uint index, uint step, const Weather& weather)
 {
     Particle p = settle(move(old, weather), weather);
-    if (airborne(old)) p = collide(old.position, p, weather.time_step);
+    if (airborne(old)) p = collide(old.position, p, weather);
     p = accelerate(p, weather.wind, index, step, weather);
     return gone(p, index, weather) ? born(index, step, weather) : p;
 }

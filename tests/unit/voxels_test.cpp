@@ -168,7 +168,7 @@ void fill(VoxelGrid& grid, ivec3 cell)
     grid.words[size_t(row + cell.x / 32)] |= 1u << (cell.x % 32);
 }
 
-constexpr float time_step = 1.0f / 60.0f;  // s
+const snow::Weather weather = snow::make_weather("snow", 1, 1);
 
 snow::Particle flake_at(vec3 position, vec3 velocity)
 {
@@ -179,8 +179,8 @@ snow::Particle flake_at(vec3 position, vec3 velocity)
 snow::Particle walk(snow::Particle flake)
 {
     const vec3 from = flake.position;
-    flake.position += time_step * flake.velocity;
-    return snow::collide(from, flake, time_step);
+    flake.position += weather.time_step * flake.velocity;
+    return snow::collide(from, flake, weather);
 }
 
 }  // namespace
@@ -232,7 +232,7 @@ TEST(VoxelWalk, FromAboveLandsInTheEmptyCellItCameFrom)
         flake = walk(flake);
         EXPECT_EQ(snow::cell_of(flake.position), ivec3(16, 11, 16)) << speed;
         EXPECT_EQ(flake.velocity, vec3(0)) << speed;
-        EXPECT_EQ(flake.rest, time_step) << speed;
+        EXPECT_EQ(flake.rest, weather.time_step) << speed;
     }
 }
 
@@ -255,7 +255,7 @@ TEST(VoxelWalk, InTheOpenChangesNothing)
     for (int n = 0; n < 1000; ++n) {
         const snow::Particle flake = flake_at(random_point(30), random_point(200));
         const snow::Particle after = walk(flake);
-        EXPECT_EQ(after.position, flake.position + time_step * flake.velocity);
+        EXPECT_EQ(after.position, flake.position + weather.time_step * flake.velocity);
         EXPECT_EQ(after.velocity, flake.velocity);
         EXPECT_EQ(after.rest, 0);
     }
