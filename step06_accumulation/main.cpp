@@ -15,6 +15,8 @@
 #include "step05_collision/solid_scene.hpp"
 #include "step06_accumulation/columns.hpp"
 #include "step06_accumulation/frame.hpp"
+#include "step06_accumulation/light.hpp"
+#include "step06_accumulation/shadow_map.hpp"
 #include "step06_accumulation/snow_cover.hpp"
 #include "step06_accumulation/wind_field.hpp"
 
@@ -33,6 +35,12 @@ const Step this_step = {
             a_switch("melting", true, "snow melts where it is warmer than 0 degrees"),
             a_switch("wind_field", true, "the wind flows around the scene"),
             a_switch("sky", true, "sky, and a field around the scene"),
+            a_switch("shadow", true, "the scene keeps the sun from what lies behind it"),
+            a_switch("fog", true, "the air, and more so with snow in it, hides what is far"),
+            a_switch("lamp", true, "the lamp, lit from dusk on"),
+            {"sun_height", "degrees", -20, 80, 20, "of the sun above the horizon"},
+            {"sun_direction", "degrees", 0, 360, 100, "where the sun stands, from +z towards +x"},
+            {"exposure", "", 0.1f, 10, 1, "of the picture"},
             {"gusts", "", 0, 2, 0.3f, "largest change of the wind in a gust, relative"},
         },
 };
@@ -72,6 +80,8 @@ void run(Window& window, const World& world)
     const Ledger ledger;
 
     FrameBlock frame;
+    Lighting lighting(solid.scene);
+    ShadowMap shadow_map;
     GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, "step06_accumulation/update.vert"}},
                    {"position", "age", "velocity", "rest"});
@@ -118,11 +128,14 @@ void run(Window& window, const World& world)
             for (int n = window.steps(); n > 0; --n) columns.melt(step - uint(n), solid, weather);
         }
         frame.update(window, step);
+        lighting.update(options, step);
+        if (options.on("shadow")) {
+            const auto stage = window.stage("shadow");
+            shadow_map.update(lighting.light(), solid.mesh, window.size());
+        }
         if (options.on("sky")) {
             const auto stage = window.stage("sky");
             backdrop.use();
-            backdrop.set("eye", window.eye());
-            backdrop.set("fog", sky);
             glDepthMask(GL_FALSE);  // everything else is nearer
             glDrawArrays(GL_TRIANGLES, 0, 3);
             glDepthMask(GL_TRUE);
@@ -131,8 +144,6 @@ void run(Window& window, const World& world)
             const auto stage = window.stage("scene");
             surface.use();
             set_voxels(surface, solid.grid, solid.voxels);
-            surface.set("eye", window.eye());
-            surface.set("fog", sky);
             solid.mesh.draw();
         }
         {

@@ -1,7 +1,7 @@
 #version 430 core
 // A surface of the scene, under as much snow as lies on it.
 
-#include "step05_collision/light.glsl"
+#include "step06_accumulation/light.glsl"
 #include "step06_accumulation/snow_cover.glsl"
 
 in vec3 world_position;
@@ -28,5 +28,6 @@ void main()
     const vec3 snow_colour = vec3(0.90, 0.93, 0.97);
     float cover = snow_cover();
     vec3 surface_normal = normalize(mix(normalize(world_normal), normalize(snow_normal), cover));
-    colour = vec4(lit(mix(base_colour, snow_colour, cover), surface_normal, world_position), 1.0);
+    vec3 radiance = lit(mix(base_colour, snow_colour, cover), surface_normal, world_position);
+    colour = vec4(tone_mapped(through_air(radiance, world_position)), 1.0);
 }

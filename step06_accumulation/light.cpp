@@ -1,0 +1,135 @@
+#include "step06_accumulation/light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <iterator>
+
+namespace {
+
+using glm::mix;
+using glm::smoothstep;
+using glm::vec3;
+
+// The sky at one height of the sun, with few clouds. Chosen by eye, and nights as an eye sees
+// them that has grown used to the dark.
+struct Sky {
+    float sun_height;  // degrees
+    vec3 zenith, horizon;
+};
+
+const Sky skies[] = {
+    {-14, {0.008f, 0.014f, 0.040f}, {0.015f, 0.024f, 0.060f}},
+    {-8, {0.020f, 0.035f, 0.090f}, {0.045f, 0.060f, 0.130f}},
+    {-4, {0.045f, 0.080f, 0.190f}, {0.140f, 0.150f, 0.250f}},
+    {0, {0.10f, 0.16f, 0.32f}, {0.42f, 0.34f, 0.36f}},
+    {8, {0.20f, 0.30f, 0.52f}, {0.75f, 0.66f, 0.60f}},
+    {25, {0.28f, 0.42f, 0.70f}, {0.80f, 0.85f, 0.92f}},
+    {80, {0.30f, 0.48f, 0.85f}, {0.75f, 0.85f, 1.00f}},
+};
+
+Sky sky_at(float sun_height)
+{
+    const Sky* const last = std::end(skies) - 1;
+    const Sky* above = std::begin(skies) + 1;
+    while (above < last && above->sun_height < sun_height) ++above;
+    const Sky &low = above[-1], &high = *above;
+    const float part =
+        std::clamp((sun_height - low.sun_height) / (high.sun_height - low.sun_height), 0.0f, 1.0f);
+    return {sun_height, mix(low.zenith, high.zenith, part), mix(low.horizon, high.horizon, part)};
+}
+
+// The part of the sun's light, by colour, that comes through clear air: little of it, and that
+// red, when it stands low. Air mass: Kasten and Young, "Revised optical air mass tables", 1989.
+vec3 through_atmosphere(float height)  // degrees
+{
+    const vec3 optical_depth(0.09f, 0.15f,
+                             0.29f);  // for red, green, blue: Rayleigh's, and some dust
+    const float h = std::max(height, 0.0f);
+    const float air_mass =
+        1.0f / (std::sin(glm::radians(h)) + 0.50572f * std::pow(h + 6.07995f, -1.6364f));
+    return glm::exp(-air_mass * optical_depth);
+}
+
+// Part of the light that a metre of the air takes away while it snows like that, 1/m. A minute of
+// our snowfall stands for three hours of a real one: that makes 0.1 m/min a heavy one, in which one
+// sees 3.912 / extinction = 320 m far (Koschmieder 1924).
+float extinction(const snow::Weather& weather, float seconds)
+{
+    const float haze = 0.004f;            // 1/m
+    const float fresh_snow = 100'000.0f;  // g/m3
+    const snow::Emitter& cloud = weather.emitters[0];
+    const float fall = cloud.centre.y / cloud.terminal_speed;  // s
+    const float in_the_air = std::min(seconds / fall, 1.0f);   // of all that will be
+    const float speed = 0.5f * (cloud.terminal_speed + weather.emitters[1].terminal_speed);
+    const float concentration = in_the_air * weather.snowfall / 10800 * fresh_snow / speed;  // g/m3
+    // Stallabrass 1985, as in Stoelinga and Warner, "Nonhydrostatic, mesobeta-scale model
+    // simulations of cloud ceiling and visibility", 1999: 10.36 C^0.7776 a km.
+    return haze + 0.01036f * std::pow(concentration, 0.7776f);
+}
+
+}  // namespace
+
+Lighting::Lighting(const Scene& scene) : buffer_(make_buffer())
+{
+    for (const Vertex& vertex : scene.vertices) {
+        reach_ = std::max(reach_, glm::length(vertex.position));
+    }
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer_);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof light_, nullptr, GL_DYNAMIC_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 2, buffer_);
+}
+
+void Lighting::update(const Options& options, unsigned step)
+{
+    const float sun_height = options.setting("sun_height");
+    const float direction = glm::radians(options.setting("sun_direction"));
+    const snow::Weather& weather = options.weather;
+    const float seconds = float(step) * weather.time_step;
+
+    // A young moon follows the sun, 45 degrees behind, and takes over when that has set.
+    const bool night = sun_height < -2;
+    const float height = night ? sun_height + 45 : sun_height;
+    const vec3 brightness =
+        night ? smoothstep(-3.0f, -9.0f, sun_height) * vec3(0.11f, 0.14f, 0.20f)
+              : 2.2f * smoothstep(-2.0f, 2.0f, sun_height) * through_atmosphere(height);
+    const float h = glm::radians(height);
+    light_.to_sun = {std::cos(h) * std::sin(direction), std::sin(h),
+                     std::cos(h) * std::cos(direction)};
+    light_.has_shadow = options.on("shadow") ? 1.0f : 0.0f;
+
+    // What falling snow takes from the sun: of the light that it scatters, four fifths go on nearly
+    // straight and are not lost (Joseph, Wiscombe and Weinman, "The delta-Eddington
+    // approximation", 1976).
+    const float snowy_air = extinction(weather, seconds);
+    const float layer = weather.emitters[1].centre.y;  // m, from the ground up to the clouds
+    const float clear = std::exp(-0.2f * snowy_air * layer / std::max(std::sin(h), 0.1f));
+    light_.sun = clear * brightness;
+    light_.extinction = options.on("fog") ? snowy_air : 0.0f;
+    const vec3 lost =
+        0.5f * (1 - clear) * std::max(std::sin(h), 0.0f) * brightness;  // the other half goes up
+
+    const Sky sky = sky_at(sun_height);
+    light_.zenith = sky.zenith + lost;
+    light_.horizon = sky.horizon + lost;
+    light_.sky = mix(light_.zenith, light_.horizon, 0.4f);
+    light_.stars = smoothstep(-5.0f, -12.0f, sun_height);
+    light_.exposure = options.setting("exposure");
+
+    // The ground sends back what falls on it, snow more than stone.
+    const float white = smoothstep(0.0f, 0.02f, weather.snowfall / 60 * seconds);
+    light_.ground =
+        mix(0.2f, 0.7f, white) * (light_.sky + std::max(light_.to_sun.y, 0.0f) * light_.sun);
+
+    light_.lamp_position = {4.2f, 3.1f, -4.0f};
+    light_.lamp_radius = 0.15f;
+    light_.lamp_is_on = options.on("lamp") ? smoothstep(4.0f, 0.0f, sun_height) : 0.0f;
+    light_.lamp = light_.lamp_is_on * 6.0f * vec3(1.00f, 0.72f, 0.36f);
+
+    const glm::mat4 view = glm::lookAt(light_.to_sun, vec3(0), {0, 1, 0});
+    light_.to_shadow_map = glm::ortho(-reach_, reach_, -reach_, reach_, -reach_, reach_) * view;
+
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer_);
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof light_, &light_);
+}

@@ -1,0 +1,112 @@
+// The light of a winter's day, and what the air makes of it. `struct Light` is GLSL and C++, like Frame.
+// All colours are linear. Light is measured by what it makes of a white surface that faces it: 1 is
+// white paper in a bright room, snow in the sun is brighter.
+
+struct Light {
+    mat4 to_shadow_map;  // world space to the clip space in which the shadow map was drawn
+    vec3 to_sun;         // where the sun stands, or the moon by night: length 1, world space
+    float has_shadow;    // 1: there is a shadow map
+    vec3 sun;            // light of the sun, or the moon
+    float extinction;    // part of the light that a metre of air takes away, 1/m
+    vec3 zenith;         // colour of the sky overhead
+    float exposure;
+    vec3 horizon;        // and where it meets the ground: the colour of the air, too
+    float stars;         // 0 to 1
+    vec3 sky;            // light of the whole sky on a surface that faces up
+    float unused;        // fills the row of four
+    vec3 ground;         // light from below on a surface that faces down
+    float lamp_radius;   // m
+    vec3 lamp_position;  // m
+    float lamp_is_on;    // 0 to 1
+    vec3 lamp;           // light of the lamp at a distance of 1 m
+    float unused_too;
+};
+
+#ifndef __cplusplus
+#include "step06_accumulation/frame.glsl"
+
+layout(std140, binding = 2) uniform LightBlock
+{
+    Light light;
+};
+layout(binding = 3) uniform sampler2DShadow shadow_map;
+
+// How much of the sun reaches this point: 0 in shadow, 1 in the sun, between them along the edge.
+float sunlight_at(vec3 position)
+{
+    if (light.has_shadow == 0.0) return 1.0;
+    vec3 place = 0.5 + 0.5 * (light.to_shadow_map * vec4(position, 1.0)).xyz;
+    // Each of the four lookups compares and blends four texels (percentage closer filtering: Reeves, Salesin
+    // and Cook, "Rendering antialiased shadows with depth maps", 1987).
+    vec2 texel = 0.75 / vec2(textureSize(shadow_map, 0));
+    return 0.25 * (texture(shadow_map, place + vec3(texel.x, texel.y, 0.0)) +
+                   texture(shadow_map, place + vec3(-texel.x, texel.y, 0.0)) +
+                   texture(shadow_map, place + vec3(texel.x, -texel.y, 0.0)) +
+                   texture(shadow_map, place + vec3(-texel.x, -texel.y, 0.0)));
+}
+
+// What is seen of a dull surface of this colour, from any side. normal: length 1.
+vec3 lit(vec3 colour, vec3 normal, vec3 position)
+{
+    vec3 result = mix(light.ground, light.sky, 0.5 + 0.5 * normal.y);
+    float facing = dot(normal, light.to_sun);
+    // A step along the normal, so that no surface lies in its own shadow.
+    if (facing > 0.0) result += light.sun * facing * sunlight_at(position + 0.03 * normal);
+    vec3 to_lamp = light.lamp_position - position;
+    float distance_to_lamp = max(length(to_lamp), light.lamp_radius);
+    result += light.lamp * max(dot(normal, to_lamp), 0.0) / pow(distance_to_lamp, 3.0);
+    return colour * result;
+}
+
+// The same for a white flake, which has no side: it scatters light from everywhere.
+vec3 light_on_flake(vec3 position)
+{
+    vec3 to_lamp = light.lamp_position - position;
+    float squared = max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
+    return 0.5 * (light.sky + light.ground + light.sun * sunlight_at(position) + light.lamp / squared);
+}
+
+// Colour of so much air that nothing shines through it, seen in this direction (length 1). Air full of snow
+// scatters most of the light forwards, so it glows around the sun (phase function: Henyey and Greenstein,
+// "Diffuse radiation in the Galaxy", 1941).
+vec3 air_light(vec3 direction)
+{
+    const float forwards = 0.75;  // mean cosine of the angle of scattering
+    float squared = 1.0 + forwards * forwards - 2.0 * forwards * dot(direction, light.to_sun);
+    float phase = (1.0 - forwards * forwards) / (4.0 * squared * sqrt(squared));  // times pi
+    return light.horizon + phase * light.sun;
+}
+
+// Light that the air between the eye and this point sends here from the lamp. Every metre scatters
+// extinction / 4 pi of what reaches it to any side; the sum over 1 / distance^2 to the lamp along a line is
+// the angle under which the lamp sees that line over its distance from the line.
+vec3 lamp_halo(vec3 position)
+{
+    vec3 from = frame.eye - light.lamp_position, to = position - light.lamp_position;
+    float angle = acos(clamp(dot(normalize(from), normalize(to)), -1.0, 1.0));
+    float closest = max(length(cross(from, to)) / distance(frame.eye, position), light.lamp_radius);
+    float left = exp(-light.extinction * length(from));  // and on its way here it loses some
+    return 0.25 * light.extinction * left * angle / closest * light.lamp;
+}
+
+// What arrives at the eye of the radiance that leaves this point: the air takes some of it and adds its own.
+vec3 through_air(vec3 radiance, vec3 position)
+{
+    if (light.extinction == 0.0) return radiance;
+    vec3 way = position - frame.eye;
+    vec3 air = air_light(normalize(way));
+    vec3 result = mix(air, radiance, exp(-light.extinction * length(way)));
+    if (light.lamp_is_on > 0.0) result += lamp_halo(position);
+    return result;
+}
+
+// As the screen wants it, 0 to 1 (Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for
+// digital images", 2002, equation 3, and the curve of sRGB, IEC 61966-2-1). It never reaches 1: however
+// bright, snow keeps its shades.
+vec3 tone_mapped(vec3 radiance)
+{
+    vec3 exposed = light.exposure * radiance;
+    vec3 linear = exposed / (1.0 + exposed);
+    return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThan(linear, vec3(0.0031308)));
+}
+#endif

@@ -1,0 +1,31 @@
+// The light of the hour: computes once a frame, for all shaders of step 6, what light.glsl needs.
+#pragma once
+
+#include <GL/glew.h>
+
+#include <glm/glm.hpp>
+
+#include "common/gl_object.hpp"
+#include "common/options.hpp"
+#include "common/scene.hpp"
+
+namespace snow {
+#include "step06_accumulation/light.glsl"
+static_assert(sizeof(Light) == 192, "the layout std140 gives it");
+}  // namespace snow
+
+class Lighting {
+public:
+    explicit Lighting(const Scene& scene);
+
+    // step: physics steps made since the first flake. Reads the settings sun_height, sun_direction,
+    // exposure, shadow, fog and lamp.
+    void update(const Options& options, unsigned step);
+
+    const snow::Light& light() const { return light_; }
+
+private:
+    GlObject buffer_;
+    snow::Light light_{};
+    float reach_ = 1;  // m, of the scene from the world's origin
+};
