@@ -7,7 +7,7 @@ what was found here (`found`). compare.py starts the programs and writes the fil
 import math
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable, Optional, Tuple
+from typing import Callable, NamedTuple, Tuple
 
 FRAMES = 120  # that count in each run, unless an experiment needs fewer
 # Flakes of the preset snow fall for 8 s and lie for 4 s, and their first births are spread over
@@ -29,6 +29,14 @@ class Run:
     size: str = ""        # WxH of the window; the experiment's unless given
 
 
+class Here(NamedTuple):
+    """What an experiment is to make its runs of."""
+
+    software: bool        # that is what renders
+    counts: tuple         # of flakes
+    folder: Path          # where files that the runs need may go
+
+
 @dataclass(frozen=True)
 class Experiment:
     """What to run, what it was like for those who did it first, and what it shows here."""
@@ -36,14 +44,25 @@ class Experiment:
     name: str             # of --experiment and of the files
     title: str
     x_label: str
-    runs: Callable        # (software, folder) -> [Run]; files that the runs need go into folder
+    runs: Callable        # Here -> [Run]
     source: str = ""      # one sentence
-    found: Optional[Callable] = None  # lines -> one sentence; LookupError: too little measured
-    size: str = "1280x720"
-    warmup: Tuple[int, int] = (STEADY, STEADY)  # frames; on a graphics card, in software
+    found: Callable = None  # lines -> one sentence; LookupError: too little measured
+    # Each on a graphics card, and in software.
+    counts: Tuple[tuple, tuple] = ()  # of flakes, where they are what is varied
+    warmup: Tuple[int, int] = (STEADY, STEADY)  # frames
     frames: Tuple[int, int] = (FRAMES, FRAMES)
-    reference: Tuple[str, tuple] = ("", ())     # the source's own curve: its name, (x, ms) pairs
+    size: str = "1280x720"
+    baseline: str = ""    # the line that the table compares all others with
+    reference: Tuple[str, tuple] = ("", ())  # the source's own curve: its name, (x, ms) pairs
     stages_only: bool = False  # no frame times against x, just the stages as parts of the frame
+
+    def conclusion(self, lines):
+        """What was found here, as one sentence."""
+        try:
+            found = self.found(lines)
+        except LookupError:
+            found = "too little was measured to say"
+        return f"{found[0].upper()}{found[1:]}."
 
 
 # ---- Sentences. `lines` is {line: {x: Point}}; a Point has median, low, high and stages.
@@ -104,30 +123,23 @@ def busiest(stages):
 JORGENSEN = 'Jorgensen ("Particles System: Snow")'
 
 
-def variants_of_step_1(variants, counts):
-    return [Run("step01_cpu_points", count, variant, count, variant)
-            for count in counts for variant in variants]
+def variants_of_step_1(*variants):
+    return lambda here: [Run("step01_cpu_points", count, variant, count, variant)
+                         for count in here.counts for variant in variants]
 
 
-def loops_found(lines):
-    x = common_x(lines, "one-loop", "three-loops")[-1]
-    one, three = lines["one-loop"][x], lines["three-loops"][x]
-    sentence = (f"at {x:,} flakes a frame takes {one.median:.2f} ms with one loop and "
-                f"{three.median:.2f} ms with three ({compared(three, one)})")
-    updates = [busiest(point.stages).get("update", 0) for point in (one, three)]
-    if all(updates):
-        sentence += (f", the update alone {updates[0]:.2f} and {updates[1]:.2f} ms "
-                     f"({difference(updates[1], updates[0])})")
-    return sentence
-
-
-def hexagons_found(lines):
-    common = common_x(lines, "one-loop", "hexagons")
-    x = 10000 if 10000 in common else common[-1]
-    points, hexagons = lines["one-loop"][x], lines["hexagons"][x]
-    return (f"at {x:,} flakes a frame takes {hexagons.median:.2f} ms "
-            f"({1000 / hexagons.median:.0f} fps) with hexagons and {points.median:.2f} ms "
-            f"({1000 / points.median:.0f} fps) with points ({compared(hexagons, points)})")
+def versus(other, at=None):
+    """A `found` that compares a variant with one-loop, at so many flakes or the most there are."""
+    def found(lines):
+        common = common_x(lines, "one-loop", other)
+        x = at if at in common else common[-1]
+        points = lines["one-loop"][x], lines[other][x]
+        updates = [busiest(point.stages).get("update", 0) for point in points]
+        frames = [f"{point.median:.2f} ms ({1000 / point.median:.0f} fps)" for point in points]
+        return (f"at {x:,} flakes a frame takes {frames[0]} with one-loop and {frames[1]} with "
+                f"{other} ({compared(*reversed(points))}), the update alone {updates[0]:.2f} and "
+                f"{updates[1]:.2f} ms")
+    return found
 
 
 # ---- Patrick: four sweeps, one at a time, in a window of 500 by 500.
@@ -136,24 +148,24 @@ PATRICK = 'Patrick ("An Investigation of Snow Effects", 2000'
 SWEEP_FLAKES = 20000  # the programs' default
 
 
-def window_sizes(_software, _folder):
+def window_sizes(_here):
     return [Run("step02_vbo", particles, line, edge * edge, size=f"{edge}x{edge}")
             for edge in (250, 500, 750, 1000)
             for particles, line in ((0, "empty window"), (SWEEP_FLAKES, "20,000 flakes"))]
 
 
-def point_sizes(_software, _folder):
+def point_sizes(_here):
     return [Run("step02_vbo", SWEEP_FLAKES, "20,000 flakes", pixels,
                 options=("--point-size", str(pixels)))
             for pixels in (1, 2, 3, 4, 8)]
 
 
-def release_rates(_software, _folder):
+def release_rates(_here):
     # As many a frame as she released, and then some for a machine of today.
     return [Run("step02_vbo", rate * STEADY, "step 2", rate) for rate in (1, 2, 5, 10, 20, 100)]
 
 
-def groups(_software, _folder):
+def groups(_here):
     return [Run(step, SWEEP_FLAKES, line, count, options=("--groups", str(count)))
             for count in (1, 2, 4, 16, 64, 256)
             for step, line in (("step01_cpu_points", "step 1"), ("step02_vbo", "step 2"))]
@@ -190,33 +202,31 @@ def write_height_field(path, triangles):
     return path
 
 
-def on_hills(step, variant, particles, triangles, folder, **where):
-    """A run on a height field, which is written unless it is there."""
-    path = Path(folder) / f"hills_{triangles}.obj"
+def on_hills(here, triangles):
+    """The options of a run on a height field, which is written unless it is there."""
+    path = here.folder / f"hills_{triangles}.obj"
     if not path.exists():
         write_height_field(path, triangles)
-    return Run(step, particles, variant=variant, options=("--scene", str(path)), **where)
+    return "--scene", str(path)
 
 
-def flakes_fixed_scene(software, folder):
-    counts = (1000, 3000, 10000) if software else (10000, 30000, 100000, 300000, 1000000)
-    return [on_hills("step05_collision", variant, count, 800, folder, line=variant, x=count)
-            for count in counts for variant in ("voxels", "triangles")]
+def flakes_fixed_scene(here):
+    return [Run("step05_collision", count, variant, count, variant, on_hills(here, 800))
+            for count in here.counts for variant in ("voxels", "triangles")]
 
 
-def scene_triangles(software, folder):
-    flakes = 1000 if software else 10000
-    return [on_hills("step05_collision", variant, flakes, triangles, folder, line=variant,
-                     x=triangles)
+def scene_triangles(here):
+    flakes = 1000 if here.software else 10000
+    return [Run("step05_collision", flakes, variant, triangles, variant, on_hills(here, triangles))
             for triangles in (12, 100, 1000, 10000, 70000) for variant in ("voxels", "triangles")]
 
 
-def stage_share(software, folder):
-    flakes = 3000 if software else 100000
-    return [on_hills(step, variant, flakes, 800, folder,
-                     line=f"step {int(step[4:6])} {variant}".strip(), x=flakes)
-            for step, variant in (("step05_collision", "triangles"), ("step05_collision", "voxels"),
-                                  ("step06_accumulation", ""))]
+def stage_share(here):
+    return [Run(step, count, line, count, variant, on_hills(here, 800))
+            for count in here.counts for step, line, variant in (
+                ("step05_collision", "step 5 triangles", "triangles"),
+                ("step05_collision", "step 5 voxels", "voxels"),
+                ("step06_accumulation", "step 6", ""))]
 
 
 def triangles_found(lines):
@@ -237,24 +247,24 @@ def share_found(lines):
 
 # ---- Pettersson and Jin: spawn rates.
 
-def spawn_rates(software, _folder):
-    rates = (100, 1000, 10000) if software else (1000, 10000, 100000, 300000)
+def spawn_rates(here):
+    rates = (100, 1000, 10000) if here.software else (1000, 10000, 100000, 300000)
     return [Run("step04_transform_feedback", rate * CYCLE, "step 4", rate) for rate in rates]
 
 
 EXPERIMENTS = {experiment.name: experiment for experiment in (
     Experiment(
         "loops", "One loop over the flakes against three", "flakes",
-        lambda *_: variants_of_step_1(("one-loop", "three-loops"), (1000, 10000, 100000)),
+        variants_of_step_1("one-loop", "three-loops"),
         f"{JORGENSEN} saw little change from three loops to one and put the slowness down to the "
         "drawing.",
-        loops_found),
+        versus("three-loops"), counts=2 * ((1000, 10000, 100000),)),
     Experiment(
         "hexagons", "Hexagons against points", "flakes",
-        lambda *_: variants_of_step_1(("one-loop", "hexagons"), (1000, 3000, 6000, 10000, 30000)),
+        variants_of_step_1("one-loop", "hexagons"),
         f"{JORGENSEN} had 120 fps below 6,000 hexagons and 12 fps (83 ms) at 10,000, and found "
         "points very much lighter.",
-        hexagons_found),
+        versus("hexagons", 10000), counts=2 * ((1000, 3000, 6000, 10000, 30000),)),
     Experiment(
         "window-size", "Size of the window", "pixels in the window", window_sizes,
         f"{PATRICK}, 5.1.2) found that the size of the window affects the frame rate greatly: a "
@@ -280,7 +290,8 @@ EXPERIMENTS = {experiment.name: experiment for experiment in (
         flakes_fixed_scene,
         f"{HITCHEN}, appendix A), with 794 triangles on a GTX 970, took 1.5 ms at 10,000 flakes, "
         "3.3 ms at 100,000 and 21.7 ms at 1,000,000, each against every triangle.",
-        every_line("flakes"), reference=("Hitchen 2019,\ntriangles, GTX 970", HITCHEN_FRAMES)),
+        every_line("flakes"), reference=("Hitchen 2019,\ntriangles, GTX 970", HITCHEN_FRAMES),
+        counts=((10000, 30000, 100000, 300000, 1000000), (1000, 3000, 10000))),
     Experiment(
         "scene-triangles", "Triangles in the scene", "triangles in the scene", scene_triangles,
         f"{HITCHEN}, chart 4) found a time proportional to the triangles; with 100,000 flakes "
@@ -289,7 +300,7 @@ EXPERIMENTS = {experiment.name: experiment for experiment in (
     Experiment(
         "stage-share", "What a frame is spent on", "flakes", stage_share,
         f"{HITCHEN}, chart 2) spent over 98 % of a frame on moving and colliding the flakes.",
-        share_found, stages_only=True),
+        share_found, stages_only=True, counts=((100000,), (3000,))),
     Experiment(
         "spawn-rate", "Flakes released per second", "flakes released per second", spawn_rates,
         'Pettersson and Jin ("EDAN35: A Snow Particle System"), at 2560x1440 on a GTX 1080 Ti, '
