@@ -28,22 +28,19 @@ STAGE_COLOURS = {
 OTHER_STAGE_COLOURS = ("#F4C7A0", "#AAAA00", "#DDDDDD", "#8FD0B0", "#E0A0A0", "#B0B8F0")
 
 
-
 def draw_chart(path, experiment, lines, machine):
     """Writes the chart as PNG. `lines` is {line: {x: Point}}; `machine` says what was measured."""
     pyplot.rcParams.update({"font.size": 17, "axes.spines.top": False, "axes.spines.right": False,
                             "axes.titlelocation": "left", "axes.titlesize": 19})
-    x, bars = stage_bars(lines)
-    panels = 1 if experiment.stages_only or not bars else 2
-    figure, axes = pyplot.subplots(1, panels, squeeze=False, figsize=(16, 9),
+    panels = {"times": [draw_frame_times], "parts": [draw_parts], "stages": []}[experiment.chart]
+    if any(point.stages for points in lines.values() for point in points.values()):
+        panels.append(draw_stages)
+    figure, axes = pyplot.subplots(1, len(panels) or 1, squeeze=False, figsize=(16, 9),
                                    constrained_layout={"w_pad": 0.15, "h_pad": 0.1})
     figure.suptitle(experiment.title, fontsize=28, fontweight="bold", x=0.01, ha="left")
     figure.supxlabel(machine, fontsize=14, color="#444444", x=0.01, ha="left")
-    if not experiment.stages_only:
-        draw_frame_times(axes[0, 0], experiment, lines)
-    if bars:
-        axes[0, -1].set_title(f"Stages of a frame at {x:,} {experiment.x_label}")
-        draw_stages(axes[0, -1], bars)
+    for draw, panel in zip(panels, axes[0]):
+        draw(panel, experiment, lines)
     figure.savefig(path, dpi=120)
     pyplot.close(figure)
 
@@ -72,8 +69,8 @@ def draw_frame_times(axes, experiment, lines):
     axes.axhline(SMOOTH, color="#555555", linewidth=1.5, linestyle=(0, (6, 3)))
     axes.annotate("16.7 ms\n= 60 fps", (1, SMOOTH), xycoords=axes.get_yaxis_transform(),
                   xytext=(6, 0), textcoords="offset points", va="center", fontsize=14)
-    label_ticks(axes.xaxis, {x for points in lines.values() for x in points}
-                | {x for x, _ in curve})
+    label_ticks(axes.xaxis, {x for points in lines.values() for x in points}.union(
+        x for x, _ in curve))
     low, high = axes.get_ylim()
     label_ticks(axes.yaxis, [digit * 10.0 ** power for power in range(-4, 7)
                              for digit in ((1, 2, 5) if high / low < 300 else (1,))
@@ -88,46 +85,72 @@ def label_ticks(axis, values):
     values = sorted(values)
     kept = values[:1]
     for value in values:
-        if math.log(value / kept[-1]) > 0.15 * math.log(values[-1] / values[0]):
+        if math.log(value / kept[-1]) > 0.13 * math.log(values[-1] / values[0]):
             kept.append(value)
     axis.set_major_locator(FixedLocator(kept))
     axis.set_minor_locator(NullLocator())
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: short(value)))
 
 
-def stage_bars(lines):
-    """The largest x that all lines reach, and [(label, {stage: ms})] there."""
+def short(value):
+    """10000 as 10k, 1500000 as 1.5M."""
+    for size, suffix in ((1e6, "M"), (1e3, "k")):
+        if value >= size:
+            return f"{value / size:.4g}{suffix}"
+    return f"{value:.4g}"
+
+
+def draw_parts(axes, experiment, lines):
+    """What each part costs: how much longer a frame is than without it, with the repeats' range."""
+    whole = lines.get(experiment.baseline, {})
+    x = max(whole, default=0)
+    points = {name: points[x] for name, points in lines.items()
+              if x in points and name != experiment.baseline}
+    names = sorted(points, key=lambda name: points[name].median)
+    for row, name in enumerate(names):
+        cost = whole[x].median - points[name].median
+        low, high = whole[x].low - points[name].high, whole[x].high - points[name].low
+        axes.barh(row, cost, height=0.6, color="#56B4E9" if low > 0 or high < 0 else "#CCCCCC")
+        axes.plot((low, high), (row, row), color="black", marker="|", markersize=10)
+        axes.annotate(f"{cost:.2f}", (max(high, 0), row), xytext=(8, 0), va="center", fontsize=14,
+                      textcoords="offset points", annotation_clip=False)
+    axes.axvline(0, color="black", linewidth=1)
+    if names:
+        axes.set_title(f"What a frame of {whole[x].median:.1f} ms saves without it")
+    axes.set(xlabel="time saved (ms); grey: within the repeats", ylim=(len(names) - 0.4, -0.6))
+    axes.set_yticks(range(len(names)), [name.replace("without ", "") for name in names])
+    axes.tick_params(axis="y", length=0)
+
+
+def draw_stages(axes, experiment, lines):
+    """Each bar all stages of a frame, as parts of the time that they take together."""
+    if experiment.chart == "parts" and experiment.baseline in lines:
+        lines = {experiment.baseline: lines[experiment.baseline]}
     x = max(set.intersection(*(set(points) for points in lines.values())), default=0)
-    bars = []
+    bars = defaultdict(dict)
     for name, points in lines.items():
-        clocks = defaultdict(dict)
         for (stage, clock), time in points[x].stages.items() if x in points else ():
-            clocks[clock][stage] = time
-        for clock, times in clocks.items():
-            bars.append((name + ("" if clock == "finish" else f", {clock.upper()}"), times))
-    return x, bars
-
-
-def draw_stages(axes, bars):
-    """Each bar all stages of a frame, as parts of the time they take together."""
-    spare = iter(OTHER_STAGE_COLOURS * 9)
-    colours, keys = dict(STAGE_COLOURS), {}
-    for row, (_, times) in enumerate(bars):
+            bars[name + ("" if clock == "finish" else f", {clock.upper()}")][stage] = time
+    colours, spare, keys = dict(STAGE_COLOURS), list(OTHER_STAGE_COLOURS), {}
+    for row, times in enumerate(bars.values()):
         total, left = sum(times.values()), 0
         for stage, time in times.items():
             part = 100 * time / (total or 1)
+            if stage not in colours:
+                colours[stage] = spare[(len(colours) - len(STAGE_COLOURS)) % len(spare)]
             if part > 0.4:  # it can be seen
-                colour = colours.get(stage) or colours.setdefault(stage, next(spare))
-                keys[stage] = axes.barh(row, part, left=left, color=colour, height=0.75,
-                                        edgecolor="white")
+                keys[stage] = axes.barh(row, part, left=left, color=colours[stage],
+                                        edgecolor="white", height=min(0.75, 0.25 * len(bars)))
             if part > 8:  # its number has room
                 axes.text(left + part / 2, row, f"{part:.0f} %", ha="center", va="center",
                           fontsize=14)
             left += part
         axes.text(101, row, f"{total:.3g} ms", va="center", fontsize=14)
+    axes.set_title(f"Stages of a frame at {x:,} {experiment.x_label}")
     axes.set(xlabel="part of the stages' time (%)", xlim=(0, 100), ylim=(len(bars) - 0.4, -0.6))
-    axes.set_yticks(range(len(bars)), [label for label, _ in bars])
+    axes.set_yticks(range(len(bars)), bars)
     axes.tick_params(axis="y", length=0)
-    order = [stage for _, times in reversed(bars) for stage in times if stage in keys]
-    axes.legend([keys[stage] for stage in dict.fromkeys(order)], dict.fromkeys(order),
-                loc="upper center", bbox_to_anchor=(0.4, -0.12), ncol=4, frameon=False)
+    order = dict.fromkeys(stage for times in reversed(bars.values()) for stage in times
+                          if stage in keys)
+    axes.legend([keys[stage] for stage in order], order, loc="upper center", ncol=4,
+                bbox_to_anchor=(0.4, -0.12), frameon=False)

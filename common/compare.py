@@ -313,14 +313,16 @@ def table(experiment, lines, repeats):
     """The lines of the table, a row for each point."""
     base = lines.get(experiment.baseline, {})
     against = ["ratio", "difference, ms"] if experiment.baseline else []
-    head = ["step", "variant", experiment.x_label, "median, ms", "p95, ms", "fps", "repeats",
-            *against, "stages, ms"]
-    rows = [head, ["---"] * 2 + ["--:"] * (len(head) - 3) + ["---"]]
-    for points in lines.values():
+    words = ["step", "variant"] + ["line"] * bool(experiment.source)
+    numbers = [experiment.x_label, "median, ms", "p95, ms", "fps", "repeats", *against]
+    rows = [words + numbers + ["stages, ms"],
+            ["---"] * len(words) + ["--:"] * len(numbers) + ["---"]]
+    for line, points in lines.items():
         for x, point in sorted(points.items()):
             spread = f"±{50 * (point.high - point.low) / point.median:.0f} %"
-            row = [point.run.step, point.variant, f"{x:,}", f"{point.median:.2f}",
-                   f"{point.p95:.2f}", f"{1000 / point.median:,.0f}", spread * (repeats > 1)]
+            row = [point.run.step, point.variant, line][:len(words)]
+            row += [f"{x:,}", f"{point.median:.2f}", f"{point.p95:.2f}",
+                    f"{1000 / point.median:,.0f}", spread * (repeats > 1)]
             if against:
                 row += ([f"{point.median / base[x].median:.2f}",
                          f"{point.median - base[x].median:+.2f}"] if x in base else ["", ""])
@@ -431,7 +433,7 @@ def compare(settings):
         settings.warmup = experiment.warmup[software]
     with tempfile.TemporaryDirectory() as folder:
         counts = settings.counts or (experiment.counts and experiment.counts[software])
-        runs = experiment.runs(Here(software, counts, Path(folder)))
+        runs = experiment.runs(Here(settings.build, software, counts, Path(folder)))
         results, notes, interrupted = measure_all(runs, experiment, settings)
     if not results:
         sys.exit("compare.py: nothing was measured, so nothing is written")

@@ -5,6 +5,8 @@ what was found here (`found`). compare.py starts the programs and writes the fil
 """
 
 import math
+import re
+import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, NamedTuple, Tuple
@@ -32,6 +34,7 @@ class Run:
 class Here(NamedTuple):
     """What an experiment is to make its runs of."""
 
+    build: Path           # folder that holds the programs
     software: bool        # that is what renders
     counts: tuple         # of flakes
     folder: Path          # where files that the runs need may go
@@ -43,10 +46,10 @@ class Experiment:
 
     name: str             # of --experiment and of the files
     title: str
-    x_label: str
+    x_label: str          # what x counts
     runs: Callable        # Here -> [Run]
     source: str = ""      # one sentence
-    found: Callable = None  # lines -> one sentence; LookupError: too little measured
+    found: Callable = None  # lines -> one sentence, that of `growth` unless given
     # Each on a graphics card, and in software.
     counts: Tuple[tuple, tuple] = ()  # of flakes, where they are what is varied
     warmup: Tuple[int, int] = (STEADY, STEADY)  # frames
@@ -54,13 +57,13 @@ class Experiment:
     size: str = "1280x720"
     baseline: str = ""    # the line that the table compares all others with
     reference: Tuple[str, tuple] = ("", ())  # the source's own curve: its name, (x, ms) pairs
-    stages_only: bool = False  # no frame times against x, just the stages as parts of the frame
+    chart: str = "times"  # against x; "parts": what each costs; "stages": of a frame, and no more
 
     def conclusion(self, lines):
         """What was found here, as one sentence."""
         try:
-            found = self.found(lines)
-        except LookupError:
+            found = self.found(lines) if self.found else growth(lines, self.x_label)
+        except LookupError:  # a line or a point on it is missing
             found = "too little was measured to say"
         return f"{found[0].upper()}{found[1:]}."
 
@@ -83,22 +86,34 @@ def difference(after, before):
     return f"{100 * (factor - 1):+.0f} %"
 
 
+def differ(a, b):
+    """Whether two points lie further apart than the repeats of each."""
+    return a.low > b.high or b.low > a.high
+
+
 def compared(after, before):
     """How much longer the frames of one point are than another's, and whether that means much."""
-    text = difference(after.median, before.median)
-    if after.low <= before.high and before.low <= after.high:
-        text += ", no more than from repeat to repeat"
-    return text
+    return difference(after.median, before.median) + (
+        "" if differ(after, before) else ", no more than from repeat to repeat")
 
 
-def growth(lines, name, what):
-    """One clause: how the frame time of a line changes from its first x to its last."""
-    xs = sorted(lines[name])
-    if len(xs) < 2:
-        raise LookupError(f"{name} has too few points")
-    first, last = lines[name][xs[0]], lines[name][xs[-1]]
-    return (f"{name}: from {xs[0]:,} to {xs[-1]:,} {what} a frame goes from {first.median:.2f} to "
-            f"{last.median:.2f} ms ({compared(last, first)})")
+def growth(lines, what, upto=math.inf):
+    """How the frame time of each line changes from its first x to its last that counts."""
+    clauses = []
+    for name, points in lines.items():
+        xs = sorted(x for x in points if x <= upto)
+        first, last = xs[0], xs[1:][-1]
+        clauses.append(f"{name}: from {first:,} to {last:,} {what} a frame goes from "
+                       f"{points[first].median:.2f} to {points[last].median:.2f} ms "
+                       f"({compared(points[last], points[first])})")
+    return "; ".join(clauses)
+
+
+def updates(before, after):
+    """A clause on the stage update alone, if it was timed."""
+    times = [busiest(point.stages).get("update", 0) for point in (before, after)]
+    return (f"; the update alone goes from {times[0]:.2f} to {times[1]:.2f} ms "
+            f"({difference(times[1], times[0])})") if all(times) else ""
 
 
 def share(point, stage):
@@ -134,11 +149,9 @@ def versus(other, at=None):
         common = common_x(lines, "one-loop", other)
         x = at if at in common else common[-1]
         points = lines["one-loop"][x], lines[other][x]
-        updates = [busiest(point.stages).get("update", 0) for point in points]
         frames = [f"{point.median:.2f} ms ({1000 / point.median:.0f} fps)" for point in points]
         return (f"at {x:,} flakes a frame takes {frames[0]} with one-loop and {frames[1]} with "
-                f"{other} ({compared(*reversed(points))}), the update alone {updates[0]:.2f} and "
-                f"{updates[1]:.2f} ms")
+                f"{other} ({compared(*reversed(points))}){updates(*points)}")
     return found
 
 
@@ -169,11 +182,6 @@ def groups(_here):
     return [Run(step, SWEEP_FLAKES, line, count, options=("--groups", str(count)))
             for count in (1, 2, 4, 16, 64, 256)
             for step, line in (("step01_cpu_points", "step 1"), ("step02_vbo", "step 2"))]
-
-
-def every_line(what):
-    """A `found` that says of each line how it grows."""
-    return lambda lines: "; ".join(growth(lines, name, what) for name in lines)
 
 
 # ---- Hitchen: flakes against triangles.
@@ -230,13 +238,9 @@ def stage_share(here):
 
 
 def triangles_found(lines):
-    sentence = every_line("triangles")(lines)
-    updates = [busiest(point.stages).get("update", 0)
-               for _, point in sorted(lines["triangles"].items())]
-    if all(updates):
-        sentence += (f"; the update alone, every flake against every triangle, from "
-                     f"{updates[0]:.2f} to {updates[-1]:.2f} ms")
-    return sentence
+    xs = common_x(lines, "triangles")
+    first, last = lines["triangles"][xs[0]], lines["triangles"][xs[-1]]
+    return growth(lines, "triangles") + "; with triangles" + updates(first, last)[1:]
 
 
 def share_found(lines):
@@ -250,6 +254,37 @@ def share_found(lines):
 def spawn_rates(here):
     rates = (100, 1000, 10000) if here.software else (1000, 10000, 100000, 300000)
     return [Run("step04_transform_feedback", rate * CYCLE, "step 4", rate) for rate in rates]
+
+
+# ---- What each part of step 6 costs.
+
+ALL_PARTS = "all parts"
+
+
+def parts(here):
+    program = "step06_accumulation"
+    try:
+        said = subprocess.run([here.build / program, "--help"], capture_output=True, text=True,
+                              timeout=60, check=False).stdout
+    except (OSError, subprocess.SubprocessError):
+        said = ""  # it will not measure anything either, and then that is reported
+    switches = re.findall(r"^ +(\w+) +1 on/off", said, re.MULTILINE)
+    return [Run(program, count, line, count, options=options)
+            for count in here.counts for line, options in [(ALL_PARTS, ())] + [
+                (f"without {part}", ("--set", f"{part}=0")) for part in switches]]
+
+
+def parts_found(lines):
+    x = common_x(lines, *lines)[-1]
+    whole = lines[ALL_PARTS][x]
+    others = sorted((points[x].median, name) for name, points in lines.items() if name != ALL_PARTS)
+    clear = [f"{whole.median - median:.2f} ms {name} ({difference(median, whole.median)})"
+             for median, name in others if differ(whole, lines[name][x])]
+    vague = [name for _, name in others if not differ(whole, lines[name][x])]
+    return (f"at {x:,} flakes a frame takes {whole.median:.2f} ms with all parts; it is shorter by "
+            + (", ".join(clear) or "nothing that can be told")
+            + (f"; {', '.join(vague)} it is so by no more than from repeat to repeat"
+               if vague else ""))
 
 
 EXPERIMENTS = {experiment.name: experiment for experiment in (
@@ -266,47 +301,51 @@ EXPERIMENTS = {experiment.name: experiment for experiment in (
         "points very much lighter.",
         versus("hexagons", 10000), counts=2 * ((1000, 3000, 6000, 10000, 30000),)),
     Experiment(
-        "window-size", "Size of the window", "pixels in the window", window_sizes,
+        "window-size", "Size of the window", "pixels", window_sizes,
         f"{PATRICK}, 5.1.2) found that the size of the window affects the frame rate greatly: a "
-        "processor that draws everything itself had 9.86 fps with an empty window of 500x500.",
-        every_line("pixels")),
+        "processor that draws everything itself had 9.86 fps with an empty window of 500x500."),
     Experiment(
-        "point-size", "Size of the points", "width of emitter 0's points (pixels)", point_sizes,
+        "point-size", "Size of the points", "pixels across a point", point_sizes,
         f"{PATRICK}, 5.2.1) lost only 0.4 of some 9.6 fps (about 4 %) from points 1 pixel wide to "
         "points of 8.",
-        every_line("pixels"), size="500x500"),
+        size="500x500"),
     Experiment(
-        "release-rate", "Flakes released per frame", "flakes released per frame", release_rates,
+        "release-rate", "Flakes released per frame", "flakes per frame", release_rates,
         f"{PATRICK}, 5.2.2) lost almost one of some 9.6 fps (about 10 %) from 1 flake released per "
         "frame to 20.",
-        every_line("flakes per frame"), size="500x500"),
+        lambda lines: growth(lines, "flakes per frame", upto=20), size="500x500"),
     Experiment(
         "groups", "Number of groups in which the flakes are drawn", "groups", groups,
         f"{PATRICK}, 5.2.3) found one group of particles much faster than several that together "
         "release as many.",
-        every_line("groups"), size="500x500"),
+        size="500x500"),
     Experiment(
         "flakes-fixed-scene", "Flakes over a scene of 800 triangles", "flakes",
         flakes_fixed_scene,
         f"{HITCHEN}, appendix A), with 794 triangles on a GTX 970, took 1.5 ms at 10,000 flakes, "
         "3.3 ms at 100,000 and 21.7 ms at 1,000,000, each against every triangle.",
-        every_line("flakes"), reference=("Hitchen 2019,\ntriangles, GTX 970", HITCHEN_FRAMES),
+        reference=("Hitchen 2019,\ntriangles, GTX 970", HITCHEN_FRAMES),
         counts=((10000, 30000, 100000, 300000, 1000000), (1000, 3000, 10000))),
     Experiment(
-        "scene-triangles", "Triangles in the scene", "triangles in the scene", scene_triangles,
+        "scene-triangles", "Triangles in the scene", "triangles", scene_triangles,
         f"{HITCHEN}, chart 4) found a time proportional to the triangles; with 100,000 flakes "
         "60 fps were lost at some 3,500.",
         triangles_found, warmup=(STEADY, 120), frames=(FRAMES, 10)),
     Experiment(
         "stage-share", "What a frame is spent on", "flakes", stage_share,
         f"{HITCHEN}, chart 2) spent over 98 % of a frame on moving and colliding the flakes.",
-        share_found, stages_only=True, counts=((100000,), (3000,))),
+        share_found, chart="stages", counts=((100000,), (3000,))),
     Experiment(
-        "spawn-rate", "Flakes released per second", "flakes released per second", spawn_rates,
+        "spawn-rate", "Flakes released per second", "flakes per second", spawn_rates,
         'Pettersson and Jin ("EDAN35: A Snow Particle System"), at 2560x1440 on a GTX 1080 Ti, '
         "took 0.8 ms a frame at 1,000 and 10,000 flakes per second, 1.1 at 100,000 and 2.4 at "
         "300,000.",
-        every_line("flakes per second"), size="2560x1440",
+        size="2560x1440",
         reference=("Pettersson and Jin,\nGTX 1080 Ti",
                    ((1000, 0.8), (10000, 0.8), (100000, 1.1), (300000, 2.4)))),
+    Experiment(
+        "parts", "What each part of step 6 costs", "flakes", parts,
+        f"{JORGENSEN} switched some of the physics off and saw no effect on the performance.",
+        parts_found, counts=2 * ((100000,),), frames=(FRAMES, 20), baseline=ALL_PARTS,
+        chart="parts"),
 )}

@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMPARE = ROOT / "common" / "compare.py"
 STEPS = sorted(folder.name for folder in ROOT.glob("step[0-9][0-9]_*"))
 EXPERIMENTS = ("loops hexagons window-size point-size release-rate groups flakes-fixed-scene "
-               "scene-triangles stage-share spawn-rate").split()
+               "scene-triangles stage-share spawn-rate parts").split()
 PATIENCE = 120  # s
 
 # Stands in for a program. Its frame times follow from its arguments, what it does from the file
@@ -23,9 +23,13 @@ PATIENCE = 120  # s
 FAKE = f"#!{sys.executable}\n" + r'''
 import argparse, os, pathlib, signal, sys, time
 me = pathlib.Path(sys.argv[0])
-parser = argparse.ArgumentParser()
+parser = argparse.ArgumentParser(formatter_class=argparse.RawDescriptionHelpFormatter, epilog="""
+  wind_x        0 m/s, wind towards +x
+  fog           1 on/off, thicker with the snowfall
+  arrows        0 on/off, which way the wind blows
+  sparkle       1 on/off, now and then""")
 parser.add_argument("--benchmark", action="store_true", required=True)
-for name in "csv particles size frames warmup variant scene groups point-size".split():
+for name in "csv particles size frames warmup variant scene groups point-size set".split():
     parser.add_argument("--" + name)
 options = parser.parse_args()
 with open(me.with_name("starts"), "a") as file:
@@ -42,7 +46,7 @@ if does == "hang":
 renderer = "llvmpipe (LLVM 15, 256 bits)" if does != "hardware" else "Card, fast/PCIe"
 width, height = options.size.split("x")
 step = int(me.name[4:6])
-frame_ms = step * (1 + int(options.particles)) / 1000
+frame_ms = step * (1 + int(options.particles)) / 1000 - 4 * (options.set == "fog=0")
 known = (f"{me.name},{options.variant or 'plain'},{options.particles},{width},{height},"
          f'"{renderer}"')
 with open(options.csv, "w") as file:
@@ -304,8 +308,8 @@ def test_experiments_say_what_was_found(fakes, no_chart):
     assert written(fakes) == ["release-rate.csv", "release-rate.md"]
     text = (fakes.parent / "comparison" / "release-rate.md").read_text()
     assert "**The source:** Patrick" in text
-    assert ("**Here:** Step 2: from 1 to 100 flakes per frame a frame goes from 1.44 to 144.00 ms "
-            "(99.9 times as much).") in text
+    assert ("**Here:** Step 2: from 1 to 20 flakes per frame a frame goes from 1.44 to 28.80 ms "
+            "(20 times as much).") in text
 
 
 def test_repeats_that_differ_as_much_as_what_they_measure(fakes, no_chart):
@@ -313,7 +317,21 @@ def test_repeats_that_differ_as_much_as_what_they_measure(fakes, no_chart):
     assert compare(fakes, "--experiment", "hexagons", "--frames", 1, "--repeats", 1,
                    environment=no_chart).returncode == 0
     text = (fakes.parent / "comparison" / "hexagons.md").read_text()
-    assert "with hexagons (+0 %, no more than from repeat to repeat), the update" in text
+    assert "with hexagons (+0 %, no more than from repeat to repeat); the update" in text
+
+
+def test_parts_are_those_that_the_program_lists_as_on(fakes):
+    assert compare(fakes, "--experiment", "parts", "--counts", 999, "--frames", 1).returncode == 0
+    frames = frames_of(fakes.parent / "comparison" / "parts.csv")
+    assert [(row["line"], row["options"], row["median_ms"]) for row in frames] == 3 * [
+        ("all parts", "", "6.0000"), ("without fog", "--set fog=0", "2.0000"),
+        ("without sparkle", "--set sparkle=0", "6.0000")]
+    text = (fakes.parent / "comparison" / "parts.md").read_text()
+    assert ("with all parts; it is shorter by 4.00 ms without fog (0.333 times as much); without "
+            "sparkle it is so by no more than from repeat to repeat.") in text
+    assert ("| step06_accumulation | plain | without fog | 999 | 2.00 | 2.00 | 500 | ±0 % | 0.33 "
+            "| -4.00 |") in text
+    assert is_png(fakes.parent / "comparison" / "parts.png")
 
 
 @pytest.mark.parametrize("triangles", [12, 100, 800, 1000, 10000, 70000])
