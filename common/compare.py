@@ -280,8 +280,9 @@ def report(experiment, lines, results, notes, settings, chart):
     text += [f"- Processor: {processor()}, {platform.system()}",
              f"- Window: {', '.join(sizes)} pixels, vsync off",
              f"- Measured: {settings.frames} frames a run after {settings.warmup} of warm-up, "
-             f"repeats: {settings.repeats}, interleaved; "
-             f"{datetime.date.today():%d %B %Y}"]
+             f"repeats: {settings.repeats}"
+             + (", interleaved" if settings.repeats > 1 else " (which may differ by chance)")
+             + f"; {datetime.date.today():%d %B %Y}"]
     density = (settings.warmup + settings.frames / 2) / STEADY
     if density < 1:
         text.append(f"- The snowfall was still building up: {100 * density:.0f} % of the flakes "
