@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -22,6 +23,16 @@ struct Camera {
     glm::mat4 projection(glm::ivec2 window) const  // near and far plane at 0.1 m and 200 m
     {
         return glm::perspective(field_of_view, float(window.x) / float(window.y), 0.1f, 200.0f);
+    }
+
+    // Puts the eye there, m, looking at `point`.
+    void look(glm::vec3 from, glm::vec3 point)
+    {
+        const glm::vec3 back = from - point;
+        target = point;
+        distance = glm::length(back);
+        azimuth = std::atan2(back.x, back.z);
+        elevation = std::asin(back.y / distance);
     }
 
     void orbit(glm::vec2 pixels)  // by half a degree a pixel, short of the poles

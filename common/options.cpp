@@ -61,13 +61,32 @@ glm::ivec2 parse_size(const std::string& text)
     return size;
 }
 
+// AZIMUTH,ELEVATION,DISTANCE: degrees, degrees and m, within what the mouse can do.
+void place_camera(const std::string& text, Camera& camera)
+{
+    float azimuth = 0, elevation = 0, distance = 0;
+    char comma[2] = {}, rest = 0;
+    std::istringstream in(text);
+    const bool well_formed = in >> azimuth >> comma[0] >> elevation >> comma[1] >> distance &&
+                             !(in >> rest) && comma[0] == ',' && comma[1] == ',';
+    if (!well_formed || std::abs(azimuth) > 360 || elevation < -2 || elevation > 85 ||
+        distance < 0.5f || distance > 80) {
+        throw CLI::ValidationError("--camera",
+                                   "takes AZIMUTH,ELEVATION,DISTANCE of -360 to 360 degrees, -2 to "
+                                   "85 degrees and 0.5 to 80 m, not '" +
+                                       text + "'");
+    }
+    camera.azimuth = glm::radians(azimuth);
+    camera.elevation = glm::radians(elevation);
+    camera.distance = distance;
+}
+
 }  // namespace
 
 std::string keys_help(const Step& step)
 {
-    std::string help =
-        "Mouse: drag to orbit, wheel to zoom. C: camera back. H: panel. Space: pause.\n"
-        "R: restart. S: screenshot. Escape: quit.";
+    std::string help = "Mouse: drag to orbit, wheel to zoom. C: camera back. T: tour. H: panel.\n"
+                       "Space: pause. R: restart. S: screenshot. Escape: quit.";
     for (const Setting& setting : step.settings) {
         if (setting.key != 0) help += std::string(" ") + setting.key + ": " + setting.name + ".";
     }
@@ -97,7 +116,7 @@ Options parse_options(int argc, char** argv, Step step)
     options.step = std::move(step);
     options.variant = options.step.variants.front();
     unsigned particles = 20000, seed = 1;
-    std::string preset = "snow", up = "y", size = "1280x720";
+    std::string preset = "snow", up = "y", size = "1280x720", camera;
     std::vector<std::string> settings;
 
     CLI::App app(options.step.name + ": " + options.step.idea);
@@ -135,10 +154,15 @@ Options parse_options(int argc, char** argv, Step step)
     }
     app.add_option("--seed", seed, "another seed, another snowfall (1)");
     app.add_option("--size", size, "window, WIDTHxHEIGHT in pixels (1280x720)");
+    app.add_option("--camera", camera,
+                   "AZIMUTH,ELEVATION,DISTANCE from the middle, degrees and m (41,15,17.5)");
+    app.add_flag("--tour", options.tour, "fly the camera through the courtyard, round and round");
     CLI::Option* vsync = app.add_flag("--vsync", options.vsync,
                                       "wait for the display (off, so that times can be compared)");
     app.add_option("--frames", options.frames, "stop after so many frames (run until closed)");
     app.add_option("--warmup", options.warmup, "frames to run before the first that counts (0)");
+    app.add_option("--timelapse", options.timelapse, "how many times as fast it snows (1)")
+        ->check(CLI::Range(1u, 1000u));
     app.add_flag(
            "--benchmark", options.benchmark,
            "measure: panel hidden, 720 frames of warm-up (until all snow is out), 300 counted")
@@ -146,6 +170,7 @@ Options parse_options(int argc, char** argv, Step step)
     app.add_option("--csv", options.csv, "write the times of every frame to this file");
     app.add_flag("--realtime", options.realtime,
                  "follow the clock even with --frames, --dump or --screenshot (one step a frame)");
+    app.add_option("--record", options.record, "write every frame to a PNG file in this folder");
     app.add_option("--screenshot", options.screenshot, "write the last frame to this PNG file");
     app.add_option("--dump", options.dump,
                    "write all flakes to this CSV file after the last frame");
@@ -159,6 +184,7 @@ Options parse_options(int argc, char** argv, Step step)
     try {
         app.parse(argc, argv);
         options.size = parse_size(size);
+        if (!camera.empty()) place_camera(camera, options.camera);
         options.weather = snow::make_weather(preset, particles, seed);
         for (const std::string& setting : settings) apply_setting(setting, options);
     } catch (const CLI::CallForHelp&) {
@@ -174,6 +200,11 @@ Options parse_options(int argc, char** argv, Step step)
     }
     for (const auto& output : {options.screenshot, options.dump, options.dump_cover, options.csv}) {
         if (!output.empty()) check_writable(output);
+    }
+    if (!options.record.empty()) {
+        std::error_code error;  // is shown by what follows
+        std::filesystem::create_directories(options.record, error);
+        check_writable(options.record / "000001.png");
     }
     if (options.benchmark && app.count("--warmup") == 0) options.warmup = 720;
     // What is to be written after the last frame needs a last frame.

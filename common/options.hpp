@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/camera.hpp"
 #include "common/snow.hpp"
 
 // A number that only one step has, changed like those of the weather.
@@ -47,21 +48,25 @@ struct Options {
     char up = 'y';                  // the axis that points up in the scene file
     int voxels = 256;               // along the longest axis of the scene
     glm::ivec2 size = {1280, 720};  // pixels
+    Camera camera;                  // as it stands at the start
+    bool tour = false;              // fly it through the courtyard
     bool vsync = false;
     std::optional<unsigned> frames;  // stop after so many
     unsigned warmup = 0;             // frames before the first that counts
+    unsigned timelapse = 1;          // steps of physics in place of one
     bool realtime = false;  // steps follow the clock even when --frames, --dump ... are given
     unsigned groups = 2;    // pieces in which the pool is drawn
     float point_size = 1;   // pixels, of emitter 0's flakes; emitter 1's are twice as wide
     bool benchmark = false;
     std::filesystem::path screenshot, dump, dump_cover, csv;
+    std::filesystem::path record;  // folder for a picture of every frame
     bool debug = false;
 
-    // One physics step a frame, so that a run can be repeated exactly?
+    // As many physics steps in every frame, so that a run can be repeated exactly?
     bool reproducible() const
     {
-        return !realtime &&
-               (benchmark || frames || !screenshot.empty() || !dump.empty() || !dump_cover.empty());
+        return !realtime && (benchmark || frames || !screenshot.empty() || !dump.empty() ||
+                             !dump_cover.empty() || !record.empty());
     }
 
     // All that --set and the panel's sliders change: the weather, then the step's own settings.

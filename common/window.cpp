@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "common/output.hpp"
+#include "common/tour.hpp"
 #include "common/vsync.hpp"
 
 namespace {
@@ -49,7 +50,8 @@ void GLAPIENTRY on_gl_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei,
 }  // namespace
 
 Window::Window(Options options)
-    : options_(std::move(options)), show_panel_(!options_.reproducible()), size_(options_.size)
+    : options_(std::move(options)), camera_(options_.camera), show_panel_(!options_.reproducible()),
+      size_(options_.size), touring_(options_.tour)
 {
     the_window = this;
     glutInitErrorFunc(on_glut_error);
@@ -153,7 +155,11 @@ bool Window::begin_frame()
         return false;
     }
     weather_changed_ = std::exchange(controls_.weather_changed, false);
-    steps_ = steps_of_this_frame();
+    const Clock::time_point now = Clock::now();
+    const double elapsed = std::chrono::duration<double>(now - last_frame_).count();
+    last_frame_ = now;
+    steps_ = steps_of_this_frame(elapsed);
+    if (touring_) fly(elapsed);
     glViewport(0, 0, size_.x, size_.y);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     // Software renderers answer some queries with 0: there the last frames of a benchmark's warm-up
@@ -176,6 +182,11 @@ void Window::finish_frame(bool last)
         return;
     }
     if (last && !options_.screenshot.empty()) save_screenshot(options_.screenshot, size_);
+    if (!options_.record.empty() && drawn_ > options_.warmup) {
+        char name[32];
+        std::snprintf(name, sizeof name, "%06u.png", drawn_ - options_.warmup);
+        save_screenshot(options_.record / name, size_);
+    }
     if (std::exchange(save_screenshot_, false)) save_screenshot(options_.step.name + ".png", size_);
     if (show_panel_) {
         const auto panel_stage = stage("panel");
@@ -219,22 +230,28 @@ bool Window::again()
     return true;
 }
 
-int Window::steps_of_this_frame()
+// elapsed: s since the frame before.
+int Window::steps_of_this_frame(double elapsed)
 {
+    const double time_step = options_.weather.time_step, timelapse = options_.timelapse;
     constexpr int most = 8;
-    const double time_step = options_.weather.time_step;
-    const Clock::time_point now = Clock::now();
-    owed_ += std::chrono::duration<double>(now - last_frame_).count();
-    last_frame_ = now;
-    owed_ = std::min(owed_, most * time_step);
+    owed_ = std::min(owed_ + timelapse * elapsed, most * timelapse * time_step);
     if (controls_.paused) {
         owed_ = 0;
         return std::exchange(controls_.single_step, false) ? 1 : 0;
     }
-    if (options_.reproducible()) return 1;
+    if (options_.reproducible()) return int(options_.timelapse);
     const int steps = int(owed_ / time_step);
     owed_ -= steps * time_step;
     return steps;
+}
+
+// In a reproducible run a frame is a 60th of a second, so that a recording can be repeated.
+void Window::fly(double elapsed)
+{
+    const View view = tour(float(tour_time_));
+    camera_.look(view.eye, view.target);
+    if (drawn_ >= options_.warmup) tour_time_ += options_.reproducible() ? 1 / 60.0 : elapsed;
 }
 
 void Window::show_frame_time()
@@ -265,7 +282,8 @@ void Window::on_key(unsigned char key, int x, int y)
         window.closing_ = true;
         break;
     case 'c':
-        window.camera_ = Camera{};
+        window.camera_ = window.options_.camera;
+        window.touring_ = false;
         break;
     case 'h':
         window.show_panel_ = !window.show_panel_;
@@ -278,6 +296,9 @@ void Window::on_key(unsigned char key, int x, int y)
         break;
     case 's':
         window.save_screenshot_ = true;
+        break;
+    case 't':
+        window.touring_ = !window.touring_;
         break;
     default:
         for (Setting& setting : window.options_.step.settings) {
@@ -308,7 +329,10 @@ void Window::on_motion(int x, int y)
     Window& window = *the_window;
     if (window.panel_) ImGui_ImplGLUT_MotionFunc(x, y);
     const glm::ivec2 mouse(x, y);
-    if (window.dragging_) window.camera_.orbit(glm::vec2(mouse - window.mouse_));
+    if (window.dragging_) {
+        window.touring_ = false;
+        window.camera_.orbit(glm::vec2(mouse - window.mouse_));
+    }
     window.mouse_ = mouse;
 }
 

@@ -33,6 +33,7 @@ public:
 
     // Physics steps that this frame is to make: one in a reproducible run; else as many time steps
     // as the clock has moved on, at most 8 (a longer hitch slows the snow down, it never skips).
+    // All of it times --timelapse.
     int steps() const { return steps_; }
 
     // Has a slider moved since the frame before?
@@ -52,7 +53,8 @@ private:
     void finish_frame(bool last);
     void report();
     bool measuring() const { return options_.benchmark || !options_.csv.empty(); }
-    int steps_of_this_frame();
+    int steps_of_this_frame(double elapsed);
+    void fly(double elapsed);
     void show_frame_time();
     static void on_key(unsigned char key, int x, int y);
     static void on_button(int button, int state, int x, int y);
@@ -69,6 +71,8 @@ private:
     glm::ivec2 mouse_{};
     bool dragging_ = false;
     bool closing_ = false, save_screenshot_ = false, weather_changed_ = false;
+    bool touring_;           // on the flight that the key T and --tour begin
+    double tour_time_ = 0;   // s since it began
     bool software_ = false;  // no graphics card behind this OpenGL
     bool frame_open_ = false, window_gone_ = false;
     unsigned drawn_ = 0;  // frames, warm-up included

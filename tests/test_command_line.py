@@ -17,7 +17,10 @@ BAD_ARGUMENTS = [
     "--frames 99999999999", "--warmup -1", "--seed -1", "--seed x", "--variant none",
     "--weather sun", "--set gravity", "--set gravity=", "--set gravity=abc", "--set gravity=nan",
     "--set gravity=inf", "--set wind_x=1e9", "--set nonsense=1", "--set =1", "--nonsense",
-    "nonsense", "--dump", "--screenshot",
+    "nonsense", "--dump", "--screenshot", "--record", "--timelapse 0", "--timelapse 1001",
+    "--timelapse 1.5", "--camera", "--camera 1,2", "--camera 1,2,3,4", "--camera 1,2,x",
+    "--camera 1;2;3", "--camera 0,89,10", "--camera 0,10,0", "--camera nan,10,10",
+    "--camera 0,inf,10",
 ]
 BAD_SCENE_ARGUMENTS = ["--voxels 0", "--voxels 7", "--voxels 100000", "--voxels -64", "--voxels 48",
                        "--voxels abc", "--up x", "--scene"]
@@ -98,6 +101,12 @@ def test_output_that_is_a_folder(programs, option, tmp_path):
     result = programs.run("step01_cpu_points", *SMALL, "--frames", 1, option, tmp_path)
     assert fails_with_one_line(result, CANNOT_RUN, tmp_path)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_record_into_what_is_no_folder(programs, tmp_path):
+    (tmp_path / "file").write_text("old")
+    result = programs.run("step01_cpu_points", *SMALL, "--frames", 1, "--record", tmp_path / "file")
+    assert fails_with_one_line(result, CANNOT_RUN, tmp_path / "file")
 
 
 @pytest.mark.parametrize("step", STEPS)

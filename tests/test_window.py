@@ -120,6 +120,38 @@ def test_each_frame_is_one_step(programs, step):
     assert numpy.abs(steps - 90).max() < 0.01
 
 
+@pytest.mark.parametrize("step", ["step01_cpu_points", "step04_transform_feedback",
+                                  "step06_accumulation"])
+def test_timelapse_makes_the_same_steps_in_fewer_frames(programs, step):
+    assert (programs.dump(step, "--frames", 100, "--timelapse", 3)
+            == programs.dump(step, "--frames", 300, "--timelapse", 1))
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_record_leaves_a_picture_of_every_frame_that_counts(programs, tmp_path, step):
+    """Of the warm-up none. The folder is made, and the last picture is that of --screenshot."""
+    folder = tmp_path / "new" / "film"
+    programs.run_well(step, *SMALL, "--frames", 3, "--warmup", 2, "--tour", "--record", folder,
+                      "--screenshot", tmp_path / "last.png")
+    names = sorted(file.name for file in folder.iterdir())
+    assert names == ["000001.png", "000002.png", "000003.png"]
+    assert (folder / "000003.png").read_bytes() == (tmp_path / "last.png").read_bytes()
+
+
+def test_camera_stands_where_it_is_told_and_flies_the_same_way_twice(programs, tmp_path):
+    """Seen in pictures of the scene alone."""
+    def picture(*arguments):
+        programs.run_well("step05_collision", *SMALL, "--particles", 0, "--voxels", 32, *arguments,
+                          "--screenshot", tmp_path / "picture.png")
+        return (tmp_path / "picture.png").read_bytes()
+
+    assert (picture("--frames", 1) == picture("--frames", 1, "--camera", "41.2529612,15.4698602,17.5")
+            != picture("--frames", 1, "--camera", "221.25,15.47,17.5"))
+    flight = picture("--frames", 60, "--tour")
+    assert flight == picture("--frames", 60, "--tour", "--warmup", 5)
+    assert flight != picture("--frames", 30, "--tour")
+
+
 @pytest.mark.parametrize("step", STEPS)
 def test_escape_ends_it_and_the_files_asked_for_are_there(open_program, tmp_path, step):
     program = open_program(step, *SMALL, *FOREVER, "--dump", "flakes.csv",

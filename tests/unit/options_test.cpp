@@ -28,6 +28,8 @@ TEST(Options, HaveTheirDefaults)
     EXPECT_EQ(options.size, glm::ivec2(1280, 720));
     EXPECT_EQ(options.voxels, 256);
     EXPECT_EQ(options.up, 'y');
+    EXPECT_EQ(options.timelapse, 1u);
+    EXPECT_FALSE(options.tour);
     EXPECT_FALSE(options.vsync);
     EXPECT_FALSE(options.frames);
     EXPECT_FALSE(options.reproducible());
@@ -35,9 +37,11 @@ TEST(Options, HaveTheirDefaults)
 
 TEST(Options, AreTakenFromTheCommandLine)
 {
-    const Options options = parse({"--variant", "fancy", "--particles", "50000000", "--seed", "9",
-                                   "--size", "640x360", "--voxels", "64", "--up", "z", "--scene",
-                                   "a.obj", "--vsync", "--frames", "5", "--warmup", "2"});
+    const Options options =
+        parse({"--variant", "fancy",       "--particles", "50000000", "--seed",     "9",
+               "--size",    "640x360",     "--voxels",    "64",       "--up",       "z",
+               "--scene",   "a.obj",       "--vsync",     "--frames", "5",          "--warmup",
+               "2",         "--timelapse", "60",          "--camera", "-90, 45,10", "--tour"});
     EXPECT_EQ(options.variant, "fancy");
     EXPECT_EQ(options.weather.particles, 50'000'000u);
     EXPECT_EQ(options.weather.seed, 9u);
@@ -48,6 +52,10 @@ TEST(Options, AreTakenFromTheCommandLine)
     EXPECT_TRUE(options.vsync);
     EXPECT_EQ(options.frames, 5u);
     EXPECT_EQ(options.warmup, 2u);
+    EXPECT_EQ(options.timelapse, 60u);
+    EXPECT_TRUE(options.tour);
+    const glm::vec3 from_the_left = options.camera.target + glm::vec3(-7.07f, 7.07f, 0);
+    EXPECT_NEAR(glm::distance(options.camera.eye(), from_the_left), 0, 0.01);
 }
 
 TEST(Options, SetTheWeather)
