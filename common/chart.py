@@ -127,10 +127,10 @@ def draw_stages(axes, experiment, lines):
     if experiment.chart == "parts" and experiment.baseline in lines:
         lines = {experiment.baseline: lines[experiment.baseline]}
     x = max(set.intersection(*(set(points) for points in lines.values())), default=0)
-    bars = defaultdict(dict)
+    bars = {}
     for name, points in lines.items():
-        for (stage, clock), time in points[x].stages.items() if x in points else ():
-            bars[name + ("" if clock == "finish" else f", {clock.upper()}")][stage] = time
+        for clock, times in points[x].stages.items() if x in points else ():
+            bars[name + ("" if clock == "finish" else f", {clock.upper()}")] = times
     colours, spare, keys = dict(STAGE_COLOURS), list(OTHER_STAGE_COLOURS), {}
     for row, times in enumerate(bars.values()):
         total, left = sum(times.values()), 0

@@ -67,7 +67,7 @@ class Measured:
     size: str
     renderer: str
     frames: list  # ms, swap to swap, one a frame
-    stages: dict  # (stage, clock) -> ms, one a frame
+    stages: dict  # clock -> stage -> ms, one a frame
 
 
 @dataclass
@@ -80,7 +80,7 @@ class Point:
     p95: float     # ms, likewise
     low: float     # ms, the least median of a repeat
     high: float    # ms, the greatest
-    stages: dict   # (stage, clock) -> median ms
+    stages: dict   # clock -> stage -> median ms
 
 
 def percentile_95(times):
@@ -96,7 +96,8 @@ def is_software(renderer):
 
 def read_csv(path, run, repeat):
     """What a program wrote with --csv, as a Measured."""
-    frames, times = [], {"query": defaultdict(list), "finish": defaultdict(list)}
+    frames, times = [], {timing: {"cpu": defaultdict(list), "gpu": defaultdict(list)}
+                         for timing in ("query", "finish")}
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = csv.DictReader(file, strict=True)
@@ -106,9 +107,9 @@ def read_csv(path, run, repeat):
                 if row["timing"] == "query":  # a synchronised frame takes longer than it need
                     frames.append(float(row["frame_ms"]))
                 for name, value in row.items():
-                    stage = re.fullmatch(r"(\w+)_(cpu|gpu)_ms", name)
-                    if stage and value:
-                        times[row["timing"]][stage.groups()].append(float(value))
+                    match = re.fullmatch(r"(\w+)_(cpu|gpu)_ms", name)
+                    if match and value:
+                        times[row["timing"]][match[2]][match[1]].append(float(value))
     except KeyError as error:
         raise Failed(f"malformed CSV: no column or timing {error}") from error
     except (ValueError, csv.Error) as error:
@@ -117,14 +118,13 @@ def read_csv(path, run, repeat):
         raise Failed(f"no CSV: {error.strerror}") from error
     if not frames or not min(frames) > 0:
         raise Failed("its CSV holds no frame times")
-    if times["finish"]:  # from one glFinish to the next, the CPU's part of it included
+    stages = {clock: times for clock, times in times["query"].items() if times}
+    if times["finish"]["gpu"]:  # from one glFinish to the next, the CPU's part of it included
         # That pass is part of the warm-up: its last frames are most like those that count.
-        stages = {(stage, "finish"): values[-len(frames):]
-                  for (stage, clock), values in times["finish"].items() if clock == "gpu"}
+        stages = {"finish": {stage: values[-len(frames):]
+                             for stage, values in times["finish"]["gpu"].items()}}
     elif is_software(row["renderer"]):
         stages = {}  # such a renderer's queries mislead
-    else:
-        stages = dict(times["query"])
     return Measured(run, repeat, row["variant"], f"{row['width']}x{row['height']}",
                     row["renderer"], frames, stages)
 
@@ -185,7 +185,11 @@ def measure_all(runs, experiment, settings):
             size = run.size or settings.size or experiment.size
             try:
                 results.append(measure(run, repeat, size, settings))
-                problem = shortfall(results[-1], size, settings)
+                frames, actual_size = len(results[-1].frames), results[-1].size
+                problem = (f"was cut short: {frames} of {settings.frames} frames"
+                           if frames < settings.frames else
+                           f"had a window of {actual_size} instead of {size}"
+                           if actual_size != size else "")
             except Failed as error:
                 failed.add(run)
                 problem = f"failed: {error}"
@@ -199,15 +203,6 @@ def measure_all(runs, experiment, settings):
     return results, list(dict.fromkeys(notes)), interrupted
 
 
-def shortfall(result, size, settings):
-    """What a run that succeeded did otherwise than it was told, or nothing."""
-    if len(result.frames) < settings.frames:
-        return f"was cut short: {len(result.frames)} of {settings.frames} frames"
-    if result.size != size:
-        return f"had a window of {result.size} instead of {size}"
-    return ""
-
-
 def gather(results):
     """{line: {x: Point}} over all repeats."""
     groups = defaultdict(list)
@@ -215,16 +210,17 @@ def gather(results):
         groups[result.run].append(result)
     lines = defaultdict(dict)
     for run, repeats in groups.items():
-        frames = [time for result in repeats for time in result.frames]
-        stages = defaultdict(list)
-        for result in repeats:
-            for key, times in result.stages.items():
-                stages[key] += times
         medians = [statistics.median(result.frames) for result in repeats]
-        lines[run.line][run.x] = Point(
-            run, repeats[0].variant, statistics.median(frames), percentile_95(frames),
-            min(medians), max(medians),
-            {key: statistics.median(times) for key, times in stages.items()})
+        frames = sum((result.frames for result in repeats), [])
+        stages = defaultdict(lambda: defaultdict(list))
+        for result in repeats:
+            for clock, parts in result.stages.items():
+                for stage, times in parts.items():
+                    stages[clock][stage] += times
+        stages = {clock: {stage: statistics.median(times) for stage, times in parts.items()}
+                  for clock, parts in stages.items()}
+        lines[run.line][run.x] = Point(run, repeats[0].variant, statistics.median(frames),
+                                       percentile_95(frames), min(medians), max(medians), stages)
     return dict(lines)
 
 
@@ -238,12 +234,13 @@ def write_csv(path, experiment, results):
                         "repeat,stage,clock,frames,median_ms,p95_ms".split(","))
         for result in results:
             run = result.run
-            for (stage, clock), times in {("frame", "swap"): result.frames,
-                                          **result.stages}.items():
-                writer.writerow([experiment.name, run.line, run.x, run.step, result.variant,
-                                 options_text(run), run.particles, *result.size.split("x"),
-                                 result.renderer, result.repeat, stage, clock, len(times),
-                                 f"{statistics.median(times):.4f}", f"{percentile_95(times):.4f}"])
+            for clock, stages in {"swap": {"frame": result.frames}, **result.stages}.items():
+                for stage, times in stages.items():
+                    writer.writerow([
+                        experiment.name, run.line, run.x, run.step, result.variant,
+                        options_text(run), run.particles, *result.size.split("x"),
+                        result.renderer, result.repeat, stage, clock, len(times),
+                        f"{statistics.median(times):.4f}", f"{percentile_95(times):.4f}"])
 
 
 def processor():
@@ -262,11 +259,9 @@ def machine(results):
 
 def stages_text(point):
     """A point's stages in a few words, one group for each clock."""
-    clocks = defaultdict(list)
-    for (stage, clock), time in point.stages.items():
-        clocks[clock].append(f"{stage} {time:.2f}")
     names = {"cpu": "CPU: ", "gpu": "GPU: ", "finish": ""}
-    return "; ".join(names[clock] + ", ".join(parts) for clock, parts in clocks.items())
+    return "; ".join(names[clock] + ", ".join(f"{stage} {ms:.2f}" for stage, ms in times.items())
+                     for clock, times in point.stages.items())
 
 
 def report(experiment, lines, results, notes, settings, chart):
@@ -300,7 +295,7 @@ def report(experiment, lines, results, notes, settings, chart):
     if experiment.baseline:
         text[-1] += (f" *Ratio*: the frame time divided by that of \"{experiment.baseline}\" with "
                      "as many flakes; less than 1 is faster. *Difference*: that much longer.")
-    if any(clock == "finish" for result in results for _, clock in result.stages):
+    if any("finish" in result.stages for result in results):
         text[-1] += (" Stages were timed between calls of glFinish in frames of their own, which "
                      "lets nothing overlap: they show where the time goes, and may add up to more "
                      "than a frame. What they leave of it is clearing and showing the window.")

@@ -109,28 +109,16 @@ def growth(lines, what, upto=math.inf):
     return "; ".join(clauses)
 
 
+def busiest(point):
+    """{stage: ms} of the clock that ran longest: CPU, GPU, or both together where synchronised."""
+    return max(point.stages.values(), key=lambda times: sum(times.values()), default={})
+
+
 def updates(before, after):
     """A clause on the stage update alone, if it was timed."""
-    times = [busiest(point.stages).get("update", 0) for point in (before, after)]
+    times = [busiest(point).get("update", 0) for point in (before, after)]
     return (f"; the update alone goes from {times[0]:.2f} to {times[1]:.2f} ms "
             f"({difference(times[1], times[0])})") if all(times) else ""
-
-
-def share(point, stage):
-    """What part of a frame's stages, in per cent, one takes on the processor that is busier."""
-    times = busiest(point.stages)
-    total = sum(times.values())
-    if not total:
-        raise LookupError("no stage took any time")
-    return 100 * times.get(stage, 0) / total
-
-
-def busiest(stages):
-    """{stage: ms} of the clock that ran longest: CPU, GPU, or both together where synchronised."""
-    clocks = {}
-    for (stage, clock), time in stages.items():
-        clocks.setdefault(clock, {})[stage] = time
-    return max(clocks.values(), key=lambda times: sum(times.values()), default={})
 
 
 # ---- Jorgensen: loops and crystals.
@@ -192,8 +180,9 @@ HITCHEN_FRAMES = tuple((flakes, 1000 / fps) for flakes, fps in (  # appendix A, 
     (300000, 134.194), (500000, 87.0325), (700000, 64.0603), (1000000, 46.0061)))
 
 
-def write_height_field(path, triangles):
-    """Writes gentle hills, the same however many `triangles` (an even number) show them, as OBJ."""
+def hills(folder, triangles):
+    """Options for a scene of gentle hills, the same however many `triangles` (even) show them."""
+    path = folder / f"hills_{triangles}.obj"
     quads = triangles // 2
     rows = max(n for n in range(1, math.isqrt(quads) + 1) if quads % n == 0)
     columns = quads // rows
@@ -207,30 +196,24 @@ def write_height_field(path, triangles):
                 a = row * (columns + 1) + column + 1  # OBJ counts from 1
                 b = a + columns + 1
                 file.write(f"f {a} {b} {b + 1}\nf {a} {b + 1} {a + 1}\n")
-    return path
-
-
-def on_hills(here, triangles):
-    """The options of a run on a height field, which is written unless it is there."""
-    path = here.folder / f"hills_{triangles}.obj"
-    if not path.exists():
-        write_height_field(path, triangles)
     return "--scene", str(path)
 
 
 def flakes_fixed_scene(here):
-    return [Run("step05_collision", count, variant, count, variant, on_hills(here, 800))
+    return [Run("step05_collision", count, variant, count, variant, hills(here.folder, 800))
             for count in here.counts for variant in ("voxels", "triangles")]
 
 
 def scene_triangles(here):
     flakes = 1000 if here.software else 10000
-    return [Run("step05_collision", flakes, variant, triangles, variant, on_hills(here, triangles))
-            for triangles in (12, 100, 1000, 10000, 70000) for variant in ("voxels", "triangles")]
+    scenes = {triangles: hills(here.folder, triangles)
+              for triangles in (12, 100, 1000, 10000, 70000)}
+    return [Run("step05_collision", flakes, variant, triangles, variant, scene)
+            for triangles, scene in scenes.items() for variant in ("voxels", "triangles")]
 
 
 def stage_share(here):
-    return [Run(step, count, line, count, variant, on_hills(here, 800))
+    return [Run(step, count, line, count, variant, hills(here.folder, 800))
             for count in here.counts for step, line, variant in (
                 ("step05_collision", "step 5 triangles", "triangles"),
                 ("step05_collision", "step 5 voxels", "voxels"),
@@ -244,9 +227,11 @@ def triangles_found(lines):
 
 
 def share_found(lines):
-    return "of the stages' time the update takes " + ", ".join(
-        f"{share(point, 'update'):.1f} % in {name}"
-        for name, points in lines.items() for point in points.values())
+    shares = []
+    for name, points in lines.items():
+        times = busiest(points[max(points)])
+        shares.append(f"{100 * times['update'] / sum(times.values()):.1f} % in {name}")
+    return "of the stages' time the update takes " + ", ".join(shares)
 
 
 # ---- Pettersson and Jin: spawn rates.
