@@ -22,10 +22,10 @@ MARKERS = "os^DvPX"
 # A stage has the same colour in every chart, light enough for black text. What cannot be told
 # apart by colour is by place: the legend has the order of the bars.
 STAGE_COLOURS = {
-    "update": "#77AADD", "upload": "#EEDD88", "collide": "#EE8866", "accumulate": "#FFAABB",
-    "settle": "#FFAABB", "melt": "#99DDFF", "shadow": "#AAAAAA", "sky": "#D6ECFA",
-    "scene": "#BBCC33", "arrows": "#C8A27A", "draw": "#44BB99", "splash": "#D0B0E8"}
-OTHER_STAGE_COLOURS = ("#F4C7A0", "#AAAA00", "#DDDDDD", "#8FD0B0", "#E0A0A0", "#B0B8F0")
+    "update": "#77AADD", "upload": "#EEDD88", "settle": "#FFAABB", "melt": "#99DDFF",
+    "depth": "#DDDDDD", "shadow": "#AAAAAA", "sky": "#D6ECFA", "scene": "#BBCC33",
+    "lamp": "#EE8866", "arrows": "#C8A27A", "draw": "#44BB99", "splash": "#D0B0E8"}
+OTHER_STAGE_COLOURS = ("#F4C7A0", "#AAAA00", "#8FD0B0", "#E0A0A0", "#B0B8F0")
 
 
 def draw_chart(path, experiment, lines, machine):
