@@ -3,11 +3,9 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -75,22 +73,14 @@ float fit(const std::filesystem::path& path, std::vector<Vertex>& vertices)
 
 void compute_normals(std::vector<Vertex>& vertices)
 {
-    std::map<std::array<float, 3>, float> upward;
-    const auto key = [](vec3 p) { return std::array{p.x, p.y, p.z}; };
     for (size_t i = 0; i < vertices.size(); i += 3) {
         const vec3 a = vertices[i].position, b = vertices[i + 1].position,
                    c = vertices[i + 2].position;
         const vec3 across = glm::cross(b - a, c - a);
         const float length = glm::length(across);
         const vec3 normal = length > 0 ? across / length : vec3(0, 1, 0);
-        for (size_t corner = i; corner < i + 3; ++corner) {
-            vertices[corner].normal = normal;
-            float& most =
-                upward.try_emplace(key(vertices[corner].position), normal.y).first->second;
-            most = std::max(most, normal.y);
-        }
+        for (size_t corner = i; corner < i + 3; ++corner) vertices[corner].normal = normal;
     }
-    for (Vertex& vertex : vertices) vertex.upward = upward.at(key(vertex.position));
 }
 
 }  // namespace
@@ -157,7 +147,6 @@ SceneMesh::SceneMesh(const Scene& scene)
     field(0, 3, offsetof(Vertex, position));
     field(1, 3, offsetof(Vertex, normal));
     field(2, 3, offsetof(Vertex, colour));
-    field(3, 1, offsetof(Vertex, upward));
 }
 
 void SceneMesh::draw() const

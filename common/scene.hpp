@@ -11,7 +11,6 @@ struct Vertex {
     glm::vec3 position;  // m, world space
     glm::vec3 normal;    // of its triangle
     glm::vec3 colour;    // diffuse, linear
-    float upward;  // largest normal.y of all triangles that meet here: snow lifts what is above 0
 };
 
 struct Scene {
@@ -25,7 +24,7 @@ struct Scene {
 // naming file and line.
 Scene load_scene(const std::filesystem::path& path, char up);
 
-// The triangles of a scene on the GPU: attributes 0 to 3 are the fields of Vertex.
+// The triangles of a scene on the GPU: attributes 0 to 2 are the fields of Vertex.
 class SceneMesh {
 public:
     explicit SceneMesh(const Scene& scene);

@@ -1,4 +1,5 @@
-// What happens to the snow that lies, on the GPU, column by column: it slides, and it melts.
+// What happens to the snow that lies, on the GPU, column by column: it slides, it melts, and its
+// depth is measured.
 #pragma once
 
 #include <GL/glew.h>
@@ -12,15 +13,23 @@ public:
     explicit Columns(const VoxelGrid& grid)
         : columns_(unsigned(grid.resolution * grid.resolution)),
           settle_({{GL_COMPUTE_SHADER, "step06_accumulation/settle.comp"}}),
-          melt_({{GL_COMPUTE_SHADER, "step06_accumulation/melt.comp"}}), meltwater_(make_buffer())
+          melt_({{GL_COMPUTE_SHADER, "step06_accumulation/melt.comp"}}),
+          measure_({{GL_COMPUTE_SHADER, "step06_accumulation/depth.comp"}}),
+          meltwater_(make_buffer()), depth_(make_texture())
     {
         glBindBuffer(GL_SHADER_STORAGE_BUFFER, meltwater_);
         const GLuint zero[2] = {0, 0};
         glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof zero, zero, GL_DYNAMIC_COPY);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, meltwater_);
+
+        glBindTexture(GL_TEXTURE_3D, depth_);
+        glTexStorage3D(GL_TEXTURE_3D, 1, GL_R16F, grid.resolution, grid.resolution,
+                       grid.resolution);
+        const float unknown = -1;
+        glClearTexImage(depth_, 0, GL_RED, GL_FLOAT, &unknown);
     }
 
-    // Both give a part of the columns their turn; `step` says which.
+    // All three give a part of the columns their turn; `step` says which.
     void settle(unsigned step, const SolidScene& solid) { dispatch(settle_, step, solid); }
 
     void melt(unsigned step, const SolidScene& solid, const snow::Weather& weather)
@@ -29,6 +38,21 @@ public:
         melt_.use();
         melt_.set("seconds", turns * weather.time_step);
         dispatch(melt_, step, solid);
+    }
+
+    void measure(unsigned step, const SolidScene& solid)
+    {
+        glBindImageTexture(0, depth_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R16F);
+        dispatch(measure_, step, solid);
+    }
+
+    // Gives the depth of the snow to the program in use, on texture unit 5.
+    void set_depth(Program& program) const
+    {
+        program.set("snow_depth", 5);
+        glActiveTexture(GL_TEXTURE5);
+        glBindTexture(GL_TEXTURE_3D, depth_);
+        glActiveTexture(GL_TEXTURE0);
     }
 
     // Mass melted so far. For the end, never in a frame.
@@ -50,10 +74,11 @@ private:
         set_voxels(program, solid.grid, solid.voxels);
         program.set("first_column", step % turns * count);
         glDispatchCompute((count + 63) / 64, 1, 1);  // 64: local_size_x of the shaders
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                        GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     }
 
     unsigned columns_;
-    Program settle_, melt_;
-    GlObject meltwater_;
+    Program settle_, melt_, measure_;
+    GlObject meltwater_, depth_;
 };

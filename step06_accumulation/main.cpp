@@ -18,6 +18,7 @@
 #include "step06_accumulation/light.hpp"
 #include "step06_accumulation/shadow_map.hpp"
 #include "step06_accumulation/snow_cover.hpp"
+#include "step06_accumulation/snow_surface.hpp"
 #include "step06_accumulation/wind_field.hpp"
 
 using namespace snow;
@@ -31,6 +32,7 @@ const Step this_step = {
     .has_cover = true,
     .settings =
         {
+            a_switch("tessellation", true, "the surface of the snow is as fine as it needs to be"),
             a_switch("settling", true, "snow steeper than its angle of repose slides"),
             a_switch("melting", true, "snow melts where it is warmer than 0 degrees"),
             a_switch("wind_field", true, "the wind flows around the scene"),
@@ -87,8 +89,7 @@ void run(Window& window, const World& world)
                    {"position", "age", "velocity", "rest"});
     Program backdrop({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
                       {GL_FRAGMENT_SHADER, "step06_accumulation/sky.frag"}});
-    Program surface({{GL_VERTEX_SHADER, "step06_accumulation/scene.vert"},
-                     {GL_FRAGMENT_SHADER, "step06_accumulation/scene.frag"}});
+    SnowSurface surface(solid.scene, solid.grid.cell_size);
     Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
                    {GL_FRAGMENT_SHADER, "step03_shader_points/flake_disc.frag"}});
 
@@ -127,6 +128,10 @@ void run(Window& window, const World& world)
             const auto stage = window.stage("melt");
             for (int n = window.steps(); n > 0; --n) columns.melt(step - uint(n), solid, weather);
         }
+        {
+            const auto stage = window.stage("depth");
+            for (int n = window.steps(); n > 0; --n) columns.measure(step - uint(n), solid);
+        }
         frame.update(window, step);
         lighting.update(options, step);
         if (options.on("shadow")) {
@@ -142,9 +147,10 @@ void run(Window& window, const World& world)
         }
         {
             const auto stage = window.stage("scene");
-            surface.use();
-            set_voxels(surface, solid.grid, solid.voxels);
-            solid.mesh.draw();
+            surface.draw(options.on("tessellation"), [&](Program& program) {
+                set_voxels(program, solid.grid, solid.voxels);
+                columns.set_depth(program);
+            });
         }
         {
             const auto stage = window.stage("draw");

@@ -108,18 +108,18 @@ class Mesh:
 
 
 def ground(mesh, rng):
-    """64 x 64 cells of 0.25 m: slabs of 1.0 x 0.5 m in running bond, checkers in the arcade."""
+    """32 x 32 cells of 0.5 m: slabs of 1.0 x 0.5 m in running bond, checkers in the arcade."""
     mesh.begin("ground")
     shades = {}
-    for i in range(64):
-        for j in range(64):
-            row, slab = j // 2, (i + j // 2 % 2 * 2) // 4
-            shade = (slab + 2 * row + rng.randrange(2)) % 3
-            material = "paving_" + "abc"[shades.setdefault((row, slab), shade)]
-            if min(i, j) < 11:
-                material = "floor_" + "ab"[(i // 2 + j // 2) % 2]
+    for i in range(32):
+        for j in range(32):
+            slab = (i + j % 2) // 2
+            shade = (slab + 2 * j + rng.randrange(2)) % 3
+            material = "paving_" + "abc"[shades.setdefault((j, slab), shade)]
+            if min(i, j) < 6:
+                material = "floor_" + "ab"[(i + j) % 2]
             square = ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j))
-            mesh.face(material, *((p / 4 - HALF, 0.0, q / 4 - HALF) for p, q in square))
+            mesh.face(material, *((p / 2 - HALF, 0.0, q / 2 - HALF) for p, q in square))
 
 
 def roof_height(x, z):

@@ -1,0 +1,19 @@
+#version 430 core
+// A corner of a patch: it waits for the vertices that tessellation adds before anything is lifted.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 colour;
+layout(location = 3) in float lift;
+layout(location = 4) in float skirt;
+
+out Corner { vec3 position, normal, colour; float lift, skirt; } corner;
+
+void main()
+{
+    corner.position = position;
+    corner.normal = normal;
+    corner.colour = colour;
+    corner.lift = lift;
+    corner.skirt = skirt;
+}
