@@ -164,6 +164,7 @@ INLINE float speed_kept(Particle p, IN(Weather) weather)
 // A flake that has come down on a surface.
 INLINE Particle land(Particle p, IN(Weather) weather)
 {
+    if (p.velocity.y > 0.0f) return p;  // it has just bounced, off the ground under the surface
     float kept = speed_kept(p, weather);
     p.velocity *= vec3(kept, -kept, kept);
     p.rest = kept > 0.0f ? 0.0f : weather.time_step;
