@@ -14,14 +14,8 @@ public:
         : columns_(unsigned(grid.resolution * grid.resolution)),
           settle_({{GL_COMPUTE_SHADER, "step06_accumulation/settle.comp"}}),
           melt_({{GL_COMPUTE_SHADER, "step06_accumulation/melt.comp"}}),
-          measure_({{GL_COMPUTE_SHADER, "step06_accumulation/depth.comp"}}),
-          meltwater_(make_buffer()), depth_(make_texture())
+          measure_({{GL_COMPUTE_SHADER, "step06_accumulation/depth.comp"}}), depth_(make_texture())
     {
-        glBindBuffer(GL_SHADER_STORAGE_BUFFER, meltwater_);
-        const GLuint zero[2] = {0, 0};
-        glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof zero, zero, GL_DYNAMIC_COPY);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, meltwater_);
-
         glBindTexture(GL_TEXTURE_3D, depth_);
         glTexStorage3D(GL_TEXTURE_3D, 1, GL_R16F, grid.resolution, grid.resolution,
                        grid.resolution);
@@ -55,15 +49,6 @@ public:
         glActiveTexture(GL_TEXTURE0);
     }
 
-    // Mass melted so far. For the end, never in a frame.
-    GLuint64 melted() const
-    {
-        GLuint words[2];
-        glBindBuffer(GL_SHADER_STORAGE_BUFFER, meltwater_);
-        glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof words, words);
-        return words[0] + (GLuint64(words[1]) << 32);
-    }
-
 private:
     static constexpr unsigned turns = 64;  // steps in a round
 
@@ -80,5 +65,5 @@ private:
 
     unsigned columns_;
     Program settle_, melt_, measure_;
-    GlObject meltwater_, depth_;
+    GlObject depth_;
 };

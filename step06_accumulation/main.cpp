@@ -171,7 +171,8 @@ void run(Window& window, const World& world)
                        flakes.data());
     dump_flakes(options.dump, flakes);
     const std::vector<GLuint> mass = cover.read();
-    cover.print(mass, columns.melted(), ledger.print(flakes));
+    ledger.print(flakes);
+    cover.print(mass);
     dump_cover(options.dump_cover, solid.grid, mass);
 }
 

@@ -5,7 +5,6 @@
 #include "step06_accumulation/column.glsl"
 
 layout(std140) uniform WeatherBlock { Weather weather; };
-layout(std430, binding = 2) buffer Meltwater { uint melted_mass[]; };  // two words: low, high
 
 uniform float seconds;  // since this column's last turn
 
@@ -18,7 +17,6 @@ void main()
         if (!is_surface(cell)) continue;
         uint amount = min(most, mass_in(cell));
         atomicAdd(mass[mass_index(cell)], 0u - amount);
-        uint before = atomicAdd(melted_mass[0], amount);
-        if (before + amount < before) atomicAdd(melted_mass[1], 1u);  // carry
+        count_mass(melted_mass, amount);
     }
 }

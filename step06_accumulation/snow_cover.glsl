@@ -4,8 +4,19 @@
 #include "step05_collision/voxels.glsl"
 
 layout(std430, binding = 1) buffer SnowCover { uint mass[]; };
+layout(std430, binding = 2) buffer MassSums { uint sums[]; };
 
 const uint full_cell = 65536u;
+
+// What has come and what has gone, each counted for itself: together they prove, at exit, that no mass was
+// lost on the way. A sum has two words, the low one and its carries.
+const uint deposited_mass = 0u, melted_mass = 2u;
+
+void count_mass(uint sum, uint amount)
+{
+    uint before = atomicAdd(sums[sum], amount);
+    if (before + amount < before) atomicAdd(sums[sum + 1u], 1u);
+}
 
 uint mass_index(ivec3 cell)
 {

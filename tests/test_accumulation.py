@@ -33,13 +33,13 @@ class Cover:
 
 @pytest.fixture
 def accumulate(programs, tmp_path):
-    """Lets it snow: the ledger, the cover, and the mass that the program's own sum names."""
+    """Lets it snow: the ledger, the cover, and the masses that the program's own sum names."""
     def accumulate(text, *arguments):
         (tmp_path / "scene.obj").write_text(text)
         scene = ["--scene", tmp_path / "scene.obj"] if text else []
         result = programs.run_well(STEP, *SMALL, *scene, *arguments,
                                    "--dump-cover", tmp_path / "cover.csv")
-        line = re.search(r"^cover: lying (\d+) \+ melted (\d+) = deposited (\d+) x (\d+)$",
+        line = re.search(r"^cover: lying (\d+) \+ melted (\d+) = deposited (\d+)$",
                          result.stdout, re.MULTILINE)
         return ledger(result.stdout), Cover(tmp_path / "cover.csv"), [int(n) for n in line.groups()]
     return accumulate
@@ -48,10 +48,10 @@ def accumulate(programs, tmp_path):
 def check_sums(entries, cover, sums):
     """To the flake, and to the unit of mass: atomicAdd on whole numbers loses nothing."""
     assert entries["released"] == sum(entries.values()) - entries["released"]
-    lying, melted, deposited, flake_mass = sums
+    lying, melted, deposited = sums
     assert cover.mass.sum() == lying
-    assert lying + melted == deposited * flake_mass
-    assert deposited == entries["deposited"]
+    assert lying + melted == deposited
+    assert (deposited > 0) == (entries["deposited"] > 0)
 
 
 @pytest.mark.parametrize("particles, weather", [(20000, []), (5000, HAIL)])
@@ -97,12 +97,12 @@ def test_depth_of_snow_does_not_depend_on_the_number_of_flakes(accumulate):
 
 
 def test_no_snow_under_a_table_but_below_its_gap(accumulate):
-    """As in test_collision.py, and 0.25 m more: a flake's mass goes to the cells beside it too."""
+    """As in test_collision.py, and 0.375 m more: a flake's mass goes to the two cells beside its own."""
     _, cover, _ = accumulate(scenes.TABLE, "--particles", 8000, "--frames", 720, "--voxels", 128,
                              "--set", "melt_time=1")
     x, y, z = cover.place.T
     on_floor = y < 1
-    assert cover.mass[on_floor & (abs(x) < 2.25) & (abs(z) > 1.25) & (abs(z) < 2.25)].sum() == 0
+    assert cover.mass[on_floor & (abs(x) < 2.125) & (abs(z) > 1.375) & (abs(z) < 2.125)].sum() == 0
     assert cover.mass[on_floor & (abs(x) < 2.25) & (abs(z) < 0.3)].sum() > 0
     assert cover.mass[~on_floor & (abs(x) < 3) & (abs(z) < 3)].sum() > 0
 
