@@ -104,6 +104,7 @@ Scene load_scene(const std::filesystem::path& path, char up)
     }
 
     Scene scene;
+    std::vector<vec3> emission;
     for (const tinyobj::shape_t& shape : shapes) {
         for (size_t corner = 0; corner < shape.mesh.indices.size(); ++corner) {
             const int index = shape.mesh.indices[corner].vertex_index;
@@ -117,9 +118,12 @@ Scene load_scene(const std::filesystem::path& path, char up)
                 up == 'z' ? vec3(xyz[0], xyz[2], -xyz[1]) : vec3(xyz[0], xyz[1], xyz[2]);
             const int material = shape.mesh.material_ids[corner / 3];
             vertex.colour = vec3(0.5f);
+            emission.emplace_back(0);
             if (material >= 0) {
                 const tinyobj::real_t* diffuse = materials[size_t(material)].diffuse;
                 vertex.colour = {diffuse[0], diffuse[1], diffuse[2]};
+                const tinyobj::real_t* own = materials[size_t(material)].emission;
+                emission.back() = {own[0], own[1], own[2]};
             }
             scene.vertices.push_back(vertex);
         }
@@ -127,18 +131,23 @@ Scene load_scene(const std::filesystem::path& path, char up)
     if (scene.vertices.empty()) refuse(path, "it has no faces (is it a Wavefront OBJ file?)");
     const float factor = fit(path, scene.vertices);
     compute_normals(scene.vertices);
+    for (size_t i = 0; i < emission.size(); ++i) {
+        if (emission[i] == vec3(0)) continue;
+        scene.lamps.push_back(scene.vertices[i]);
+        scene.lamps.back().colour = emission[i];
+    }
     std::cout << "scene " << path.filename().string() << ": " << scene.vertices.size() / 3
               << " triangles, scaled by " << factor << std::endl;
     return scene;
 }
 
-SceneMesh::SceneMesh(const Scene& scene)
-    : buffer_(make_buffer()), vao_(make_vertex_array()), count_(GLsizei(scene.vertices.size()))
+SceneMesh::SceneMesh(const std::vector<Vertex>& vertices)
+    : buffer_(make_buffer()), vao_(make_vertex_array()), count_(GLsizei(vertices.size()))
 {
     glBindVertexArray(vao_);
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(scene.vertices.size() * sizeof(Vertex)),
-                 scene.vertices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(),
+                 GL_STATIC_DRAW);
     const auto field = [](GLuint location, GLint floats, size_t offset) {
         glEnableVertexAttribArray(location);
         glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex),

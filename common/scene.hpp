@@ -15,6 +15,7 @@ struct Vertex {
 
 struct Scene {
     std::vector<Vertex> vertices;  // three in a row make a triangle, counter-clockwise from outside
+    std::vector<Vertex> lamps;     // those again that shine (Ke), in the colour of their light
 };
 
 // Reads `path` and scales the scene to fit a box 16 m wide and deep and 6 m high, below the clouds;
@@ -24,10 +25,10 @@ struct Scene {
 // naming file and line.
 Scene load_scene(const std::filesystem::path& path, char up);
 
-// The triangles of a scene on the GPU: attributes 0 to 2 are the fields of Vertex.
+// Triangles of a scene on the GPU: attributes 0 to 2 are the fields of Vertex.
 class SceneMesh {
 public:
-    explicit SceneMesh(const Scene& scene);
+    explicit SceneMesh(const std::vector<Vertex>& vertices);
     void draw() const;
 
 private:

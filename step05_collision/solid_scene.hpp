@@ -7,7 +7,7 @@
 
 struct SolidScene {
     explicit SolidScene(const Options& options)
-        : scene(load_scene(options.scene, options.up)), mesh(scene),
+        : scene(load_scene(options.scene, options.up)), mesh(scene.vertices),
           grid(voxelise(scene, options.voxels)), voxels(upload_voxels(grid))
     {}
 

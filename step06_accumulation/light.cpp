@@ -20,13 +20,13 @@ struct Sky {
 };
 
 const Sky skies[] = {
-    {-14, {0.008f, 0.014f, 0.040f}, {0.015f, 0.024f, 0.060f}},
-    {-8, {0.020f, 0.035f, 0.090f}, {0.045f, 0.060f, 0.130f}},
-    {-4, {0.045f, 0.080f, 0.190f}, {0.140f, 0.150f, 0.250f}},
-    {0, {0.10f, 0.16f, 0.32f}, {0.42f, 0.34f, 0.36f}},
-    {8, {0.20f, 0.30f, 0.52f}, {0.75f, 0.66f, 0.60f}},
-    {25, {0.28f, 0.42f, 0.70f}, {0.80f, 0.85f, 0.92f}},
-    {80, {0.30f, 0.48f, 0.85f}, {0.75f, 0.85f, 1.00f}},
+    {-14, {0.006f, 0.011f, 0.034f}, {0.012f, 0.020f, 0.050f}},
+    {-8, {0.014f, 0.026f, 0.075f}, {0.035f, 0.050f, 0.115f}},
+    {-4, {0.030f, 0.058f, 0.160f}, {0.080f, 0.100f, 0.205f}},
+    {0, {0.06f, 0.11f, 0.25f}, {0.20f, 0.19f, 0.26f}},
+    {8, {0.10f, 0.17f, 0.34f}, {0.38f, 0.37f, 0.43f}},
+    {25, {0.14f, 0.25f, 0.47f}, {0.46f, 0.52f, 0.60f}},
+    {80, {0.16f, 0.30f, 0.60f}, {0.50f, 0.60f, 0.75f}},
 };
 
 Sky sky_at(float sun_height)
@@ -57,7 +57,7 @@ vec3 through_atmosphere(float height)  // degrees
 // sees 3.912 / extinction = 320 m far (Koschmieder 1924).
 float extinction(const snow::Weather& weather, float seconds)
 {
-    const float haze = 0.004f;            // 1/m
+    const float haze = 0.002f;            // 1/m
     const float fresh_snow = 100'000.0f;  // g/m3
     const snow::Emitter& cloud = weather.emitters[0];
     const float fall = cloud.centre.y / cloud.terminal_speed;  // s
@@ -71,10 +71,19 @@ float extinction(const snow::Weather& weather, float seconds)
 
 }  // namespace
 
-Lighting::Lighting(const Scene& scene) : buffer_(make_buffer())
+Lighting::Lighting(const SolidScene& solid) : buffer_(make_buffer())
 {
-    for (const Vertex& vertex : scene.vertices) {
+    for (const Vertex& vertex : solid.scene.vertices) {
         reach_ = std::max(reach_, glm::length(vertex.position));
+    }
+    light_.grid_corner = solid.grid.origin;
+    light_.grid_size = solid.grid.cell_size * float(solid.grid.resolution);
+    // All that shines, as one lamp in its middle.
+    light_.lamp_radius = 0.1f;
+    const float share = 1.0f / float(std::max<size_t>(solid.scene.lamps.size(), 1));
+    for (const Vertex& vertex : solid.scene.lamps) {
+        light_.lamp_position += share * vertex.position;
+        lamp_ += share * 6.0f * vertex.colour;
     }
     glBindBuffer(GL_UNIFORM_BUFFER, buffer_);
     glBufferData(GL_UNIFORM_BUFFER, sizeof light_, nullptr, GL_DYNAMIC_DRAW);
@@ -92,12 +101,13 @@ void Lighting::update(const Options& options, unsigned step)
     const bool night = sun_height < -2;
     const float height = night ? sun_height + 45 : sun_height;
     const vec3 brightness =
-        night ? smoothstep(-3.0f, -9.0f, sun_height) * vec3(0.11f, 0.14f, 0.20f)
-              : 2.2f * smoothstep(-2.0f, 2.0f, sun_height) * through_atmosphere(height);
+        night ? smoothstep(-3.0f, -9.0f, sun_height) * vec3(0.10f, 0.13f, 0.20f)
+              : 3.2f * smoothstep(-2.0f, 2.0f, sun_height) * through_atmosphere(height);
     const float h = glm::radians(height);
     light_.to_sun = {std::cos(h) * std::sin(direction), std::sin(h),
                      std::cos(h) * std::cos(direction)};
     light_.has_shadow = options.on("shadow") ? 1.0f : 0.0f;
+    light_.has_occlusion = options.on("occlusion") ? 1.0f : 0.0f;
 
     // What falling snow takes from the sun: of the light that it scatters, four fifths go on nearly
     // straight and are not lost (Joseph, Wiscombe and Weinman, "The delta-Eddington
@@ -114,6 +124,9 @@ void Lighting::update(const Options& options, unsigned step)
     light_.zenith = sky.zenith + lost;
     light_.horizon = sky.horizon + lost;
     light_.sky = mix(light_.zenith, light_.horizon, 0.4f);
+    // Where the sun has just set, or is about to, the sky glows.
+    light_.twilight =
+        std::exp(-0.04f * (sun_height + 1) * (sun_height + 1)) * vec3(0.70f, 0.28f, 0.08f);
     light_.stars = smoothstep(-5.0f, -12.0f, sun_height);
     light_.exposure = options.setting("exposure");
 
@@ -122,10 +135,8 @@ void Lighting::update(const Options& options, unsigned step)
     light_.ground =
         mix(0.2f, 0.7f, white) * (light_.sky + std::max(light_.to_sun.y, 0.0f) * light_.sun);
 
-    light_.lamp_position = {4.2f, 3.1f, -4.0f};
-    light_.lamp_radius = 0.15f;
     light_.lamp_is_on = options.on("lamp") ? smoothstep(4.0f, 0.0f, sun_height) : 0.0f;
-    light_.lamp = light_.lamp_is_on * 6.0f * vec3(1.00f, 0.72f, 0.36f);
+    light_.lamp = light_.lamp_is_on * lamp_;
 
     const glm::mat4 view = glm::lookAt(light_.to_sun, vec3(0), {0, 1, 0});
     light_.to_shadow_map = glm::ortho(-reach_, reach_, -reach_, reach_, -reach_, reach_) * view;

@@ -13,12 +13,16 @@ struct Light {
     vec3 horizon;        // and where it meets the ground: the colour of the air, too
     float stars;         // 0 to 1
     vec3 sky;            // light of the whole sky on a surface that faces up
-    float unused;        // fills the row of four
+    float has_occlusion; // 1: the scene hides a part of the sky
     vec3 ground;         // light from below on a surface that faces down
     float lamp_radius;   // m
     vec3 lamp_position;  // m
     float lamp_is_on;    // 0 to 1
     vec3 lamp;           // light of the lamp at a distance of 1 m
+    float grid_size;     // m, edge of the cube in which the scene stands
+    vec3 grid_corner;    // m, its corner of least x, y and z
+    float unused;        // fills the row of four
+    vec3 twilight;       // what is added to the horizon where the sun sets
     float unused_too;
 };
 
@@ -30,6 +34,7 @@ layout(std140, binding = 2) uniform LightBlock
     Light light;
 };
 layout(binding = 3) uniform sampler2DShadow shadow_map;
+layout(binding = 4) uniform sampler3D sky_seen;  // see ambient_occlusion.cpp
 
 // How much of the sun reaches this point: 0 in shadow, 1 in the sun, between them along the edge.
 float sunlight_at(vec3 position)
@@ -45,10 +50,26 @@ float sunlight_at(vec3 position)
                    texture(shadow_map, place + vec3(-texel.x, -texel.y, 0.0)));
 }
 
+// How the sky looks from here: for a surface that faces n, the light of its visible part is w + dot(xyz, n) of
+// that of a whole sky overhead.
+vec4 sky_seen_from(vec3 position)
+{
+    if (light.has_occlusion == 0.0) return vec4(0.0, 0.5, 0.0, 0.5);
+    return texture(sky_seen, (position - light.grid_corner) / light.grid_size);
+}
+
+// Light from everywhere but the sun and the lamp. What is not sky is ground, or walls, which are lit as well
+// as the sky is seen from here.
+vec3 ambient_light(vec3 normal, vec3 position)
+{
+    vec4 seen = sky_seen_from(position + 0.25 * normal);  // 0.25: out of the cell that holds the surface
+    return mix(min(2.0 * seen.w, 1.0) * light.ground, light.sky, clamp(seen.w + dot(seen.xyz, normal), 0.0, 1.0));
+}
+
 // What is seen of a dull surface of this colour, from any side. normal: length 1.
 vec3 lit(vec3 colour, vec3 normal, vec3 position)
 {
-    vec3 result = mix(light.ground, light.sky, 0.5 + 0.5 * normal.y);
+    vec3 result = ambient_light(normal, position);
     float facing = dot(normal, light.to_sun);
     // A step along the normal, so that no surface lies in its own shadow.
     if (facing > 0.0) result += light.sun * facing * sunlight_at(position + 0.03 * normal);
@@ -63,7 +84,8 @@ vec3 light_on_flake(vec3 position)
 {
     vec3 to_lamp = light.lamp_position - position;
     float squared = max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
-    return 0.5 * (light.sky + light.ground + light.sun * sunlight_at(position) + light.lamp / squared);
+    return sky_seen_from(position).w * (light.sky + light.ground) +
+           0.5 * (light.sun * sunlight_at(position) + light.lamp / squared);
 }
 
 // Colour of so much air that nothing shines through it, seen in this direction (length 1). Air full of snow
@@ -71,10 +93,11 @@ vec3 light_on_flake(vec3 position)
 // "Diffuse radiation in the Galaxy", 1941).
 vec3 air_light(vec3 direction)
 {
-    const float forwards = 0.75;  // mean cosine of the angle of scattering
+    const float forwards = 0.7;  // mean cosine of the angle of scattering
     float squared = 1.0 + forwards * forwards - 2.0 * forwards * dot(direction, light.to_sun);
     float phase = (1.0 - forwards * forwards) / (4.0 * squared * sqrt(squared));  // times pi
-    return light.horizon + phase * light.sun;
+    float sunset = max(dot(normalize(direction.xz), normalize(light.to_sun.xz)), 0.0);
+    return light.horizon + sunset * sunset * light.twilight + phase * light.sun;
 }
 
 // Light that the air between the eye and this point sends here from the lamp. Every metre scatters
@@ -100,13 +123,15 @@ vec3 through_air(vec3 radiance, vec3 position)
     return result;
 }
 
-// As the screen wants it, 0 to 1 (Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for
-// digital images", 2002, equation 3, and the curve of sRGB, IEC 61966-2-1). It never reaches 1: however
-// bright, snow keeps its shades.
+// As the screen wants it, 0 to 1: it never gets there, so however bright, snow keeps its shades. The curve is
+// that by which an eye answers to light (Naka and Rushton 1966; for pictures: Reinhard and Devlin, "Dynamic range
+// reduction inspired by photoreceptor physiology", 2005), then that of sRGB (IEC 61966-2-1).
 vec3 tone_mapped(vec3 radiance)
 {
-    vec3 exposed = light.exposure * radiance;
-    vec3 linear = exposed / (1.0 + exposed);
+    const float half_way = 0.8;  // radiance of what is to be half as bright as the screen can be
+    const float contrast = 1.2;
+    vec3 answer = pow(light.exposure / half_way * radiance, vec3(contrast));
+    vec3 linear = answer / (1.0 + answer);
     return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThan(linear, vec3(0.0031308)));
 }
 #endif

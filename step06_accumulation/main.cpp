@@ -13,8 +13,10 @@
 #include "step05_collision/ledger.hpp"
 #include "step05_collision/scene_collider.hpp"
 #include "step05_collision/solid_scene.hpp"
+#include "step06_accumulation/ambient_occlusion.hpp"
 #include "step06_accumulation/columns.hpp"
 #include "step06_accumulation/frame.hpp"
+#include "step06_accumulation/lamp.hpp"
 #include "step06_accumulation/light.hpp"
 #include "step06_accumulation/shadow_map.hpp"
 #include "step06_accumulation/snow_cover.hpp"
@@ -38,10 +40,11 @@ const Step this_step = {
             a_switch("wind_field", true, "the wind flows around the scene"),
             a_switch("sky", true, "sky, and a field around the scene"),
             a_switch("shadow", true, "the scene keeps the sun from what lies behind it"),
+            a_switch("occlusion", true, "where less of the sky is seen, it is darker"),
             a_switch("fog", true, "the air, and more so with snow in it, hides what is far"),
             a_switch("lamp", true, "the lamp, lit from dusk on"),
             {"sun_height", "degrees", -20, 80, 20, "of the sun above the horizon"},
-            {"sun_direction", "degrees", 0, 360, 100, "where the sun stands, from +z towards +x"},
+            {"sun_direction", "degrees", 0, 360, 118, "where the sun stands, from +z towards +x"},
             {"exposure", "", 0.1f, 10, 1, "of the picture"},
             {"gusts", "", 0, 2, 0.3f, "largest change of the wind in a gust, relative"},
         },
@@ -49,10 +52,12 @@ const Step this_step = {
 
 // What the programs of all runs share.
 struct World {
-    explicit World(const Options& options) : solid(options), wind(solid.grid) {}
+    explicit World(const Options& options) : solid(options), wind(solid.grid), occlusion(solid.grid)
+    {}
 
     SolidScene solid;
     WindField wind;
+    AmbientOcclusion occlusion;
 };
 
 // From the first flake to the last frame, or until the panel asks for other flakes.
@@ -82,7 +87,8 @@ void run(Window& window, const World& world)
     const Ledger ledger;
 
     FrameBlock frame;
-    Lighting lighting(solid.scene);
+    Lighting lighting(solid);
+    Lamp lamp(solid.scene);
     ShadowMap shadow_map;
     GlObject weather_block = upload_weather(weather);
     Program update({{GL_VERTEX_SHADER, "step06_accumulation/update.vert"}},
@@ -134,6 +140,7 @@ void run(Window& window, const World& world)
         }
         frame.update(window, step);
         lighting.update(options, step);
+        world.occlusion.bind();
         if (options.on("shadow")) {
             const auto stage = window.stage("shadow");
             shadow_map.update(lighting.light(), solid.mesh, window.size());
@@ -151,6 +158,10 @@ void run(Window& window, const World& world)
                 set_voxels(program, solid.grid, solid.voxels);
                 columns.set_depth(program);
             });
+        }
+        if (options.on("lamp")) {
+            const auto stage = window.stage("lamp");
+            lamp.draw(lighting.light());
         }
         {
             const auto stage = window.stage("draw");
