@@ -24,9 +24,9 @@ const Sky skies[] = {
     {-8, {0.014f, 0.026f, 0.075f}, {0.035f, 0.050f, 0.115f}},
     {-4, {0.030f, 0.058f, 0.160f}, {0.080f, 0.100f, 0.205f}},
     {0, {0.06f, 0.11f, 0.25f}, {0.20f, 0.19f, 0.26f}},
-    {8, {0.10f, 0.17f, 0.34f}, {0.38f, 0.37f, 0.43f}},
-    {25, {0.14f, 0.25f, 0.47f}, {0.46f, 0.52f, 0.60f}},
-    {80, {0.16f, 0.30f, 0.60f}, {0.50f, 0.60f, 0.75f}},
+    {8, {0.10f, 0.17f, 0.34f}, {0.33f, 0.37f, 0.49f}},
+    {25, {0.12f, 0.24f, 0.48f}, {0.37f, 0.49f, 0.66f}},
+    {80, {0.16f, 0.30f, 0.60f}, {0.42f, 0.56f, 0.78f}},
 };
 
 Sky sky_at(float sun_height)
@@ -98,11 +98,11 @@ void Lighting::update(const Options& options, unsigned step)
     const float seconds = float(step) * weather.time_step;
 
     // A young moon follows the sun, 45 degrees behind, and takes over when that has set.
-    const bool night = sun_height < -2;
+    const bool night = sun_height < 0;
     const float height = night ? sun_height + 45 : sun_height;
     const vec3 brightness =
         night ? smoothstep(-3.0f, -9.0f, sun_height) * vec3(0.10f, 0.13f, 0.20f)
-              : 3.2f * smoothstep(-2.0f, 2.0f, sun_height) * through_atmosphere(height);
+              : 3.2f * smoothstep(0.0f, 2.0f, sun_height) * through_atmosphere(height);
     const float h = glm::radians(height);
     light_.to_sun = {std::cos(h) * std::sin(direction), std::sin(h),
                      std::cos(h) * std::cos(direction)};

@@ -3,26 +3,26 @@
 // white paper in a bright room, snow in the sun is brighter.
 
 struct Light {
-    mat4 to_shadow_map;  // world space to the clip space in which the shadow map was drawn
-    vec3 to_sun;         // where the sun stands, or the moon by night: length 1, world space
-    float has_shadow;    // 1: there is a shadow map
-    vec3 sun;            // light of the sun, or the moon
-    float extinction;    // part of the light that a metre of air takes away, 1/m
-    vec3 zenith;         // colour of the sky overhead
+    mat4 to_shadow_map;     // world space to the clip space in which the shadow map was drawn
+    vec3 to_sun;            // where the sun stands, or the moon by night: length 1, world space
+    float has_shadow;       // 1: there is a shadow map
+    vec3 sun;               // light of the sun, or the moon
+    float has_occlusion;    // 1: the scene hides a part of the sky
+    vec3 zenith;            // colour of the sky overhead
+    float stars;            // 0 to 1
+    vec3 horizon;           // and where it meets the ground: the colour of the air, too
+    float extinction;       // part of the light that a metre of air takes away, 1/m
+    vec3 twilight;          // what is added to that where the sun sets
     float exposure;
-    vec3 horizon;        // and where it meets the ground: the colour of the air, too
-    float stars;         // 0 to 1
-    vec3 sky;            // light of the whole sky on a surface that faces up
-    float has_occlusion; // 1: the scene hides a part of the sky
-    vec3 ground;         // light from below on a surface that faces down
-    float lamp_radius;   // m
-    vec3 lamp_position;  // m
-    float lamp_is_on;    // 0 to 1
-    vec3 lamp;           // light of the lamp at a distance of 1 m
-    float grid_size;     // m, edge of the cube in which the scene stands
-    vec3 grid_corner;    // m, its corner of least x, y and z
-    float unused;        // fills the row of four
-    vec3 twilight;       // what is added to the horizon where the sun sets
+    vec3 sky;               // light of the whole sky on a surface that faces up
+    float lamp_is_on;       // 0 to 1
+    vec3 ground;            // light from below on a surface that faces down
+    float lamp_radius;      // m
+    vec3 lamp;              // light of the lamp at a distance of 1 m
+    float grid_size;        // m, edge of the cube in which the scene stands
+    vec3 lamp_position;     // m
+    float unused;           // fills the row of four
+    vec3 grid_corner;       // m, the cube's corner of least x, y and z
     float unused_too;
 };
 
@@ -50,8 +50,8 @@ float sunlight_at(vec3 position)
                    texture(shadow_map, place + vec3(-texel.x, -texel.y, 0.0)));
 }
 
-// How the sky looks from here: for a surface that faces n, the light of its visible part is w + dot(xyz, n) of
-// that of a whole sky overhead.
+// How much of the sky is seen from here: on a surface that faces n falls w + dot(xyz, n) of the light that the
+// whole sky sends to one that faces up.
 vec4 sky_seen_from(vec3 position)
 {
     if (light.has_occlusion == 0.0) return vec4(0.0, 0.5, 0.0, 0.5);
@@ -63,7 +63,8 @@ vec4 sky_seen_from(vec3 position)
 vec3 ambient_light(vec3 normal, vec3 position)
 {
     vec4 seen = sky_seen_from(position + 0.25 * normal);  // 0.25: out of the cell that holds the surface
-    return mix(min(2.0 * seen.w, 1.0) * light.ground, light.sky, clamp(seen.w + dot(seen.xyz, normal), 0.0, 1.0));
+    float part = clamp(seen.w + dot(seen.xyz, normal), 0.0, 1.0);
+    return mix(min(2.0 * seen.w, 1.0) * light.ground, light.sky, part);
 }
 
 // What is seen of a dull surface of this colour, from any side. normal: length 1.
@@ -124,14 +125,15 @@ vec3 through_air(vec3 radiance, vec3 position)
 }
 
 // As the screen wants it, 0 to 1: it never gets there, so however bright, snow keeps its shades. The curve is
-// that by which an eye answers to light (Naka and Rushton 1966; for pictures: Reinhard and Devlin, "Dynamic range
-// reduction inspired by photoreceptor physiology", 2005), then that of sRGB (IEC 61966-2-1).
+// that by which an eye answers to light (Naka and Rushton 1966; for pictures: Reinhard and Devlin, "Dynamic
+// range reduction inspired by photoreceptor physiology", 2005), then that of sRGB (IEC 61966-2-1).
 vec3 tone_mapped(vec3 radiance)
 {
-    const float half_way = 0.8;  // radiance of what is to be half as bright as the screen can be
+    const float half_way = 0.65;  // radiance of what is to be half as bright as the screen can be
     const float contrast = 1.2;
     vec3 answer = pow(light.exposure / half_way * radiance, vec3(contrast));
     vec3 linear = answer / (1.0 + answer);
-    return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThan(linear, vec3(0.0031308)));
+    bvec3 dark = lessThan(linear, vec3(0.0031308));
+    return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, dark);
 }
 #endif

@@ -29,13 +29,14 @@ float star(vec3 direction)
 void main()
 {
     vec2 place = 2.0 * gl_FragCoord.xy / vec2(frame.window_size) - 1.0;  // clip space
-    vec4 far_point = inverse(frame.projection * frame.view) * vec4(place, 1.0, 1.0);
-    vec3 direction = normalize(far_point.xyz / far_point.w - frame.eye);
+    vec3 sight = vec3(place / vec2(frame.projection[0][0], frame.projection[1][1]), -1.0);  // eye space
+    vec3 direction = normalize(transpose(mat3(frame.view)) * sight);
     vec3 radiance;
     float way;  // m through snowy air
     if (direction.y < 0.0) {
         way = -frame.eye.y / direction.y;  // to the ground, y = 0
-        vec3 field = mix(vec3(0.20, 0.21, 0.17), vec3(0.90, 0.93, 0.97), smoothstep(0.0, 0.02, frame.field_depth));
+        float white = smoothstep(0.0, 0.02, frame.field_depth);
+        vec3 field = mix(vec3(0.20, 0.21, 0.17), vec3(0.90, 0.93, 0.97), white);
         radiance = lit(field, vec3(0.0, 1.0, 0.0), frame.eye + way * direction);
     } else {
         const float clouds = 12.0;  // m above the eye: from there the snow comes
