@@ -4,6 +4,8 @@
 
 #include <GL/glew.h>
 
+#include <vector>
+
 #include "common/program.hpp"
 #include "step05_collision/scene_collider.hpp"
 #include "step05_collision/solid_scene.hpp"
@@ -16,11 +18,7 @@ public:
           melt_({{GL_COMPUTE_SHADER, "step06_accumulation/melt.comp"}}),
           measure_({{GL_COMPUTE_SHADER, "step06_accumulation/depth.comp"}}), depth_(make_texture())
     {
-        glBindTexture(GL_TEXTURE_3D, depth_);
-        glTexStorage3D(GL_TEXTURE_3D, 1, GL_R16F, grid.resolution, grid.resolution,
-                       grid.resolution);
-        const float unknown = -1;
-        glClearTexImage(depth_, 0, GL_RED, GL_FLOAT, &unknown);
+        clear_depth(grid);
     }
 
     // All three give a part of the columns their turn; `step` says which.
@@ -50,6 +48,30 @@ public:
     }
 
 private:
+    // No snow anywhere; and none can ever be within walls, or where there is nothing to lie on.
+    void clear_depth(const VoxelGrid& grid)
+    {
+        constexpr GLbyte unknown = -127;  // as a texture: -1
+        const int n = grid.resolution;
+        const auto index = [n](int x, int y, int z) {
+            return (size_t(z) * size_t(n) + size_t(y)) * size_t(n) + size_t(x);
+        };
+        std::vector<GLbyte> depth(size_t(n) * size_t(n) * size_t(n), unknown);
+        for (int z = 0; z < n; ++z) {
+            for (int x = 0; x < n; ++x) {
+                bool floor = false;
+                for (int y = 0; y < n; ++y) {
+                    const bool wall = grid.solid({x, y, z});
+                    floor |= wall;
+                    if (floor && !wall) depth[index(x, y, z)] = 0;
+                }
+            }
+        }
+        glBindTexture(GL_TEXTURE_3D, depth_);
+        glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, n, n, n, 0, GL_RED, GL_BYTE, depth.data());
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+    }
+
     static constexpr unsigned turns = 64;  // steps in a round
 
     void dispatch(Program& program, unsigned step, const SolidScene& solid)

@@ -1,7 +1,7 @@
 #version 430 core
-// Notes how deep the snow lies, in a 3D texture that the surface is lifted by: in a column of its own
-// cell, of one below and of one above, on every surface, so that a neighbour a little higher or lower
-// finds it at its own height.
+// Notes how deep the snow lies, in a 3D texture that the surface is lifted by: on every surface, in a cell
+// of the scene, in one below and in one above, so that a neighbour a little higher or lower finds it at
+// its own height.
 
 #include "step06_accumulation/column.glsl"
 
@@ -9,32 +9,24 @@ layout(r16f, binding = 0) uniform image3D snow_depth;  // m; -1: unknown, within
 
 const ivec3 up = ivec3(0, 1, 0);
 
-// Depth of the snow, m, from `cell`, the first above a surface, up to where it ends.
-float depth_from(ivec3 cell)
-{
-    uint sum = 0u;
-    for (; cell.y < resolution && mass_in(cell) > 0u; ++cell.y) sum += mass_in(cell);
-    return float(sum) * (cell_size / float(full_cell));
-}
-
 void main()
 {
     ivec3 cell = foot_of_column();
-    int surface = -1, next = -1;  // the first cell above the surface that this cell belongs to
-    float depth = 0.0;
-    for (cell.y = -2; cell.y < resolution; ++cell.y) {
-        ivec3 ahead = cell + 2 * up;
-        if (in_scene(ahead - up) && !in_scene(ahead)) next = ahead.y;
-        if (next >= 0 && (surface < 0 || cell.y > surface)) {
-            surface = next;
-            next = -1;
-            depth = depth_from(ivec3(cell.x, surface, cell.z));
+    int lower = -1;  // height of the first cell above the surface below, where there is one
+    for (;;) {
+        // Up to the first cell above a surface.
+        while (cell.y < resolution && !in_scene(cell)) cell += up;
+        while (cell.y < resolution && in_scene(cell)) cell += up;
+        if (cell.y == resolution) break;
+        uint sum = 0u;
+        for (ivec3 above = cell; mass_in(above) > 0u; above += up) sum += mass_in(above);
+        float depth = float(sum) * (cell_size / float(full_cell));
+        for (int y = max(cell.y - 2, lower + 1); y <= cell.y; ++y) {
+            ivec3 place = ivec3(cell.x, y, cell.z);
+            // Half the way there each time: what fell as a flake appears as a soft growth.
+            float before = max(imageLoad(snow_depth, place).r, 0.0);
+            imageStore(snow_depth, place, vec4(0.5 * (before + depth)));
         }
-        if (surface < 0 || cell.y < 0) continue;
-        float now = cell.y <= surface + 1 ? depth : in_scene(cell) ? -1.0 : 0.0;
-        float before = imageLoad(snow_depth, cell).r;
-        // Half the way there each time: what fell as a flake appears as a soft growth.
-        if (before >= 0.0 && now >= 0.0) now = 0.5 * (before + now);
-        if (now != before) imageStore(snow_depth, cell, vec4(now));
+        lower = cell.y;
     }
 }

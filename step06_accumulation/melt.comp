@@ -13,8 +13,9 @@ void main()
     const float rate = 0.01 / 60.0;  // m/s for each degree: a thaw that can be watched
     uint most = uint(max(weather.temperature, 0.0) * rate * seconds / cell_size * float(full_cell));
     ivec3 cell = foot_of_column();
-    for (; cell.y < resolution; ++cell.y) {
-        if (!is_surface(cell)) continue;
+    for (;; ++cell.y) {
+        while (cell.y < resolution && !is_surface(cell)) ++cell.y;
+        if (cell.y == resolution) break;
         uint amount = min(most, mass_in(cell));
         atomicAdd(mass[mass_index(cell)], 0u - amount);
         count_mass(melted_mass, amount);

@@ -41,11 +41,11 @@ void add_snow(ivec3 cell, uint amount)
     for (int layer = 0; layer < most_layers && amount > 0u && in_grid(cell); ++layer) {
         // Between these two lines other flakes may see the cell too full; in the end it is not.
         uint sum = atomicAdd(mass[mass_index(cell)], amount) + amount;
-        uint over = sum > full_cell && layer + 1 < most_layers && in_grid(cell + ivec3(0, 1, 0))
-                        ? min(amount, sum - full_cell)
-                        : 0u;
+        ivec3 above = cell + ivec3(0, 1, 0);
+        bool has_room = layer + 1 < most_layers && in_grid(above) && !in_scene(above);
+        uint over = sum > full_cell && has_room ? min(amount, sum - full_cell) : 0u;
         if (over > 0u) atomicAdd(mass[mass_index(cell)], 0u - over);
         amount = over;
-        cell.y += 1;
+        cell = above;
     }
 }
