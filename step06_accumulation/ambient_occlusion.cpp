@@ -107,6 +107,7 @@ AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_textur
         }
     }
 
+    glActiveTexture(GL_TEXTURE4);
     glBindTexture(GL_TEXTURE_3D, texture_);
     glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA16F, opacity.cells, opacity.cells, opacity.cells, 0,
                  GL_RGBA, GL_FLOAT, texels.data());
@@ -115,11 +116,5 @@ AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_textur
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
         glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_BORDER);
     }
-}
-
-void AmbientOcclusion::bind() const
-{
-    glActiveTexture(GL_TEXTURE4);
-    glBindTexture(GL_TEXTURE_3D, texture_);
     glActiveTexture(GL_TEXTURE0);
 }

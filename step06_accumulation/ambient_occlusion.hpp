@@ -7,11 +7,9 @@
 
 class AmbientOcclusion {
 public:
-    // Looks from every cell of a coarse grid into many directions, once.
+    // Looks from every cell of a coarse grid into many directions, once, and binds what it has seen
+    // where light.glsl reads it: texture unit 4.
     explicit AmbientOcclusion(const VoxelGrid& grid);
-
-    // Binds it where light.glsl reads it: texture unit 4.
-    void bind() const;
 
 private:
     GlObject texture_;

@@ -57,8 +57,8 @@ vec3 through_atmosphere(float height)  // degrees
 // sees 3.912 / extinction = 320 m far (Koschmieder 1924).
 float extinction(const snow::Weather& weather, float seconds)
 {
-    const float haze = 0.002f;            // 1/m
-    const float fresh_snow = 100'000.0f;  // g/m3
+    const float haze = weather.kind == snow::rain_kind ? 0.006f : 0.002f;  // 1/m
+    const float fresh_snow = 100'000.0f;                                   // g/m3
     const snow::Emitter& cloud = weather.emitters[0];
     const float fall = cloud.centre.y / cloud.terminal_speed;  // s
     const float in_the_air = std::min(seconds / fall, 1.0f);   // of all that will be
@@ -135,7 +135,8 @@ void Lighting::update(const Options& options, unsigned step)
     light_.ground =
         mix(0.2f, 0.7f, white) * (light_.sky + std::max(light_.to_sun.y, 0.0f) * light_.sun);
 
-    light_.lamp_is_on = options.on("lamp") ? smoothstep(4.0f, 0.0f, sun_height) : 0.0f;
+    const bool has_lamp = options.on("lamp") && lamp_ != vec3(0);
+    light_.lamp_is_on = has_lamp ? smoothstep(4.0f, 0.0f, sun_height) : 0.0f;
     light_.lamp = light_.lamp_is_on * lamp_;
 
     const glm::mat4 view = glm::lookAt(light_.to_sun, vec3(0), {0, 1, 0});

@@ -97,7 +97,7 @@ vec3 air_light(vec3 direction)
     const float forwards = 0.7;  // mean cosine of the angle of scattering
     float squared = 1.0 + forwards * forwards - 2.0 * forwards * dot(direction, light.to_sun);
     float phase = (1.0 - forwards * forwards) / (4.0 * squared * sqrt(squared));  // times pi
-    float sunset = max(dot(normalize(direction.xz), normalize(light.to_sun.xz)), 0.0);
+    float sunset = max(dot(direction.xz, normalize(light.to_sun.xz)), 0.0);
     return light.horizon + sunset * sunset * light.twilight + phase * light.sun;
 }
 

@@ -40,7 +40,7 @@ const Step this_step = {
             a_switch("wind_field", true, "the wind flows around the scene"),
             a_switch("sky", true, "sky, and a field around the scene"),
             a_switch("shadow", true, "the scene keeps the sun from what lies behind it"),
-            a_switch("occlusion", true, "where less of the sky is seen, it is darker"),
+            a_switch("occlusion", true, "it is darker where less of the sky is seen"),
             a_switch("fog", true, "the air, and more so with snow in it, hides what is far"),
             a_switch("lamp", true, "the lamp, lit from dusk on"),
             {"sun_height", "degrees", -20, 80, 20, "of the sun above the horizon"},
@@ -140,7 +140,6 @@ void run(Window& window, const World& world)
         }
         frame.update(window, step);
         lighting.update(options, step);
-        world.occlusion.bind();
         if (options.on("shadow")) {
             const auto stage = window.stage("shadow");
             shadow_map.update(lighting.light(), solid.mesh, window.size());
