@@ -235,6 +235,7 @@ def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     drag = lambda: mouse("mousedown", 1, "mousemove_relative", 10, 5, "mouseup", 1)
     changes_view(drag, lambda: program.press("c"))
     changes_view(lambda: mouse("click", 4), lambda: mouse("click", 5))
+    changes_view(lambda: program.press("t"), lambda: program.press("c"))  # off on the tour
     program.press("Escape")
     program.ends_well()
 
