@@ -21,6 +21,7 @@
 #include "step06_accumulation/shadow_map.hpp"
 #include "step06_accumulation/snow_cover.hpp"
 #include "step06_accumulation/snow_surface.hpp"
+#include "step06_accumulation/wind_arrows.hpp"
 #include "step06_accumulation/wind_field.hpp"
 
 using namespace snow;
@@ -38,6 +39,7 @@ const Step this_step = {
             a_switch("settling", true, "snow steeper than its angle of repose slides"),
             a_switch("melting", true, "snow melts where it is warmer than 0 degrees"),
             a_switch("wind_field", true, "the wind flows around the scene"),
+            a_switch("arrows", false, "the wind as arrows, the redder the faster", 'W'),
             a_switch("sky", true, "sky, and a field around the scene"),
             a_switch("shadow", true, "the scene keeps the sun from what lies behind it"),
             a_switch("occlusion", true, "it is darker where less of the sky is seen"),
@@ -87,6 +89,7 @@ void run(Window& window, const World& world)
     const Ledger ledger;
 
     FrameBlock frame;
+    WindArrows arrows;
     Lighting lighting(solid);
     Lamp lamp(solid.scene);
     ShadowMap shadow_map;
@@ -161,6 +164,10 @@ void run(Window& window, const World& world)
         if (options.on("lamp")) {
             const auto stage = window.stage("lamp");
             lamp.draw(lighting.light());
+        }
+        if (options.on("arrows")) {
+            const auto stage = window.stage("arrows");
+            arrows.draw(world.wind, solid, options, step);
         }
         {
             const auto stage = window.stage("draw");
