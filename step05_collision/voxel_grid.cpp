@@ -1,13 +1,13 @@
 #include "step05_collision/voxel_grid.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
+#include "common/progress.hpp"
 #include "step05_collision/triangle_box.hpp"
 
 namespace {
@@ -22,7 +22,6 @@ public:
         std::vector<uint32_t> all(vertices_.size() / 3);
         std::iota(all.begin(), all.end(), 0);
         divide(ivec3(0), grid.resolution, all);
-        if (reported_) std::cerr << "\rvoxelising 100 %\n";
     }
 
 private:
@@ -65,22 +64,18 @@ private:
     // space.
     void report(ivec3 corner)
     {
-        using namespace std::chrono;
-        if (steady_clock::now() - last_report_ < milliseconds(500)) return;
-        last_report_ = steady_clock::now();
-        reported_ = true;
+        if (!progress_.due()) return;
         double done = 0;
         for (int half = grid_.resolution / 2, eighth = 1; half >= 8; half /= 2, ++eighth) {
             const ivec3 bit = (corner / half) % 2;
             done += (bit.x + 2 * bit.y + 4 * bit.z) * std::pow(0.125, eighth);
         }
-        std::cerr << "\rvoxelising " << int(100 * done) << " %" << std::flush;
+        progress_.report(done);
     }
 
     const std::vector<Vertex>& vertices_;
     VoxelGrid& grid_;
-    std::chrono::steady_clock::time_point last_report_ = std::chrono::steady_clock::now();
-    bool reported_ = false;
+    Progress progress_{"voxelising"};
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The wind at a point: around the scene it flows as WindField computed it, elsewhere evenly.
 
-uniform sampler3D wind_along_x;  // velocity of the air where the wind is 1 m/s along x ...
+uniform sampler3D wind_along_x;  // velocity of the air, m/s, for each m/s of wind along x ...
 uniform sampler3D wind_along_z;  // ... and along z
 uniform bool around_the_scene;   // or evenly everywhere?
 uniform float gusts;             // largest change of the wind in a gust, relative

@@ -25,12 +25,14 @@ struct AirFlow {
     glm::vec3 at_cell(glm::ivec3 cell) const;  // m/s, the mean of the cell's faces
 };
 
-// Takes the even wind and removes from it, by the gradient of a pressure, what would flow into or
-// out of any cell (the projection of Stam, "Stable Fluids", 1999). No air flows through the ground;
-// on the other sides of the cube it is free to.
+// Takes the even wind, slows it in the lee of everything, and removes from it, by the gradient of a
+// pressure, what would flow into or out of any cell (the projection of Stam, "Stable Fluids", 1999;
+// wakes first and then this is how Rockle's wind model for cities, 1990, goes about it). No air
+// flows through the ground; on the other sides of the cube it is free to.
 AirFlow flow_around(const VoxelGrid& grid, glm::vec3 wind);
 
-// The flow for wind along x and along z. Any wind is a sum of the two, as the equations are linear.
+// The flow for wind towards +x, -x, +z and -z. Any wind is a sum of two of them: but for the wakes,
+// the equations are linear.
 class WindField {
 public:
     explicit WindField(const VoxelGrid& grid);
@@ -39,5 +41,5 @@ public:
     void set(Program& program, const Options& options) const;
 
 private:
-    GlObject along_x_, along_z_;
+    GlObject flows_[4];
 };
