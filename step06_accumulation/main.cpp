@@ -36,6 +36,7 @@ const Step this_step = {
     .settings =
         {
             a_switch("tessellation", true, "the surface of the snow is as fine as it needs to be"),
+            a_switch("sparkle", true, "crystals on the snow flash in the sun"),
             a_switch("settling", true, "snow steeper than its angle of repose slides"),
             a_switch("melting", true, "snow melts where it is warmer than 0 degrees"),
             a_switch("wind_field", true, "the wind flows around the scene"),
@@ -159,6 +160,7 @@ void run(Window& window, const World& world)
             surface.draw(options.on("tessellation"), [&](Program& program) {
                 set_voxels(program, solid.grid, solid.voxels);
                 columns.set_depth(program);
+                program.set("sparkle", options.on("sparkle") ? 1 : 0);
             });
         }
         if (options.on("lamp")) {

@@ -5,6 +5,8 @@
 #include "step06_accumulation/light.glsl"
 #include "step06_accumulation/snow_depth.glsl"
 
+uniform bool sparkle;
+
 in vec3 base_position;
 in vec3 world_position;
 in vec3 base_normal;
@@ -29,6 +31,22 @@ float cover_of(float depth, vec3 point)
     return smoothstep(0.0, 0.008, depth - hollow * mix(coarse, fine, 0.5));
 }
 
+// Light that crystals at the surface of the snow mirror into the eye. There is one in each square, as large
+// as some pixels and turned at random; few are turned so that they flash.
+vec3 glint(vec3 normal, vec3 point)
+{
+    vec3 to_eye = frame.eye - point;
+    float away = length(to_eye);
+    // Squares of 4 mm, or twice, four times ... as wide, so that they stay larger than a pixel.
+    float pixel = 2.0 * away / (frame.projection[1][1] * float(frame.window_size.y));  // m
+    float square = 0.004 * exp2(max(ceil(log2(1.5 * pixel / 0.004)), 0.0));
+    ivec2 place = ivec2(floor(point.xz / square));
+    vec3 turn = vec3(grain(place), grain(place + 7919), grain(place - 7919)) - 0.5;
+    float mirrored = dot(normalize(normal + 1.2 * turn), normalize(light.to_sun + to_eye / away));
+    float flash = smoothstep(0.997, 1.0, mirrored) * exp(-0.06 * away);
+    return flash > 0.0 ? 4.0 * flash * light.sun * sunlight_at(point + 0.03 * normal) : vec3(0.0);
+}
+
 void main()
 {
     vec3 normal = normalize(base_normal);
@@ -41,5 +59,6 @@ void main()
     }
     normal = normalize(mix(normal, snow_normal, cover));
     vec3 radiance = lit(mix(base_colour, snow_colour, cover), normal, world_position);
+    if (sparkle && cover > 0.5) radiance += glint(normal, world_position);
     colour = vec4(tone_mapped(through_air(radiance, world_position)), 1.0);
 }
