@@ -148,13 +148,6 @@ void run(Window& window, const World& world)
             const auto stage = window.stage("shadow");
             shadow_map.update(lighting.light(), solid.mesh, window.size());
         }
-        if (options.on("sky")) {
-            const auto stage = window.stage("sky");
-            backdrop.use();
-            glDepthMask(GL_FALSE);  // everything else is nearer
-            glDrawArrays(GL_TRIANGLES, 0, 3);
-            glDepthMask(GL_TRUE);
-        }
         {
             const auto stage = window.stage("scene");
             surface.draw(options.on("tessellation"), [&](Program& program) {
@@ -162,6 +155,15 @@ void run(Window& window, const World& world)
                 columns.set_depth(program);
                 program.set("sparkle", options.on("sparkle") ? 1 : 0);
             });
+        }
+        if (options.on("sky")) {
+            const auto stage = window.stage("sky");
+            backdrop.use();
+            glDepthRange(1, 1);  // as far as can be: it is seen where nothing else was drawn
+            glDepthFunc(GL_LEQUAL);
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+            glDepthFunc(GL_LESS);
+            glDepthRange(0, 1);
         }
         if (options.on("lamp")) {
             const auto stage = window.stage("lamp");

@@ -33,9 +33,9 @@ float edge_level(int a, int b)
         float part = 0.25 * float(i);
         bend = max(bend, abs(roughly(mix(from, to, part)) - mix(first, last, part)));
     }
-    const float least_pixels = 6.0;  // length of an edge that it pays to draw
+    const float least_pixels = 16.0;  // length of an edge that it pays to draw
     float finest = distance(from, to) * min(pixels_per_metre / least_pixels, 1.0 / cell_size);
-    return mix(1.0, max(finest, 1.0), smoothstep(0.2, 1.0, bend * pixels_per_metre));
+    return mix(1.0, max(finest, 1.0), smoothstep(0.3, 1.5, bend * pixels_per_metre));
 }
 
 void main()
