@@ -54,7 +54,7 @@ def check_sums(entries, cover, sums):
     assert (deposited > 0) == (entries["deposited"] > 0)
 
 
-@pytest.mark.parametrize("particles, weather", [(20000, []), (5000, HAIL)])
+@pytest.mark.parametrize("particles, weather", [(5000, []), (2000, HAIL)])
 def test_ledger_balances_after_3000_frames(accumulate, particles, weather):
     result = accumulate(scenes.TABLE, "--particles", particles, "--frames", 3000, "--voxels", 64,
                         *weather)
@@ -64,14 +64,14 @@ def test_ledger_balances_after_3000_frames(accumulate, particles, weather):
 
 def test_ledger_balances_in_a_storm(accumulate):
     """Flakes leave the world on the wind, land on edges, slide down walls and are snowed in."""
-    check_sums(*accumulate("", "--particles", 20000, "--frames", 400, "--voxels", 64, *HAIL,
+    check_sums(*accumulate("", "--particles", 8000, "--frames", 300, "--voxels", 64, *HAIL,
                            "--set", "wind_x=20", "--set", "turbulence=40", "--set", "snowfall=10"))
 
 
 def test_a_full_cell_is_solid_and_snow_piles_into_the_next(accumulate):
     """A metre of snow in ten seconds: layer upon layer of cells, none holding more than it can."""
-    _, cover, _ = accumulate(scenes.TABLE, "--particles", 20000, "--frames", 600, "--voxels", 64,
-                             *HAIL, "--set", "snowfall=6")
+    _, cover, _ = accumulate(scenes.TABLE, "--particles", 8000, "--frames", 600, "--voxels", 64,
+                             *HAIL, "--set", "restitution=0", "--set", "snowfall=6")
     assert cover.mass.max() <= cover.full
     in_the_open = (abs(cover.place[:, 0]) > 4) & (abs(cover.place) < 7)[:, [0, 2]].all(axis=1)
     layers = numpy.unique(cover.place[in_the_open, 1].round(3))
@@ -84,7 +84,7 @@ def test_a_full_cell_is_solid_and_snow_piles_into_the_next(accumulate):
 
 def test_depth_of_snow_does_not_depend_on_the_number_of_flakes(accumulate):
     """What falls on open ground in a minute is as deep as the weather says."""
-    for particles in (3000, 12000):
+    for particles in (2000, 8000):
         _, cover, _ = accumulate(scenes.text(scenes.FLOOR, scenes.box((-1, 0, -1), (1, 1, 1))),
                                  "--particles", particles, "--frames", 900, "--voxels", 64,
                                  "--set", "snowfall=1", "--set", "melt_time=0.5")
@@ -108,8 +108,9 @@ def test_no_snow_under_a_table_but_below_its_gap(accumulate):
 
 
 def test_no_snow_under_the_roof_of_the_arcade(accumulate):
-    _, cover, _ = accumulate("", "--particles", 8000, "--frames", 700, "--voxels", 128,
-                             "--set", "melt_time=1")
+    """The snow falls four times as fast as it should, or it would be long on its way."""
+    _, cover, _ = accumulate("", "--particles", 8000, "--frames", 250, "--voxels", 128,
+                             "--set", "melt_time=1", "--set", "speed_0=4", "--set", "speed_1=6")
     x, y, z = cover.place.T
     arcade = (numpy.minimum(x, z) > -7.6) & (numpy.minimum(x, z) < -6) & (numpy.maximum(x, z) < 7)
     assert cover.mass[arcade & (y < 2.5)].sum() == 0

@@ -6,7 +6,7 @@ import numpy
 import pytest
 
 import scenes
-from conftest import SMALL, WITH_SCENE, Flakes, fails_with_one_line
+from conftest import SMALL, WITH_SCENE, Flakes, fails_with_one_line, small
 
 STEP = "step05_collision"
 
@@ -43,21 +43,22 @@ def walk(programs, tmp_path):
 
 
 @pytest.fixture
-def scene(tmp_path):
-    def scene(text):
-        path = tmp_path / "scene.obj"
-        path.write_text(text)
+def scene(programs):
+    """The path of one of the scenes of scenes.py: the same each time, so that runs are shared."""
+    def scene(name):
+        path = programs.folder / f"{name}.obj"
+        path.write_text(getattr(scenes, name))
         return path
     return scene
 
 
-# In the courtyard: soft snow, a storm that blows it into every corner, and hail as hard as the
+# In the courtyard: soft snow, a storm that blows sleet into every corner, and hail as hard as the
 # settings allow (27 m/s down, more than 50 m/s across).
-COURTYARD = ["--particles", 20000, "--seed", 7]
+COURTYARD = ["--particles", 8000, "--seed", 7]
 WEATHERS = {
     "snow": ["--voxels", 256, "--frames", 800],
-    "storm": ["--voxels", 64, "--frames", 600, "--set", "wind_x=3", "--set", "wind_z=-2",
-              "--set", "turbulence=20"],
+    "storm": ["--voxels", 64, "--frames", 400, "--set", "wind_x=3", "--set", "wind_z=-2",
+              "--set", "turbulence=20", "--set", "speed_0=3", "--set", "speed_1=4.5"],
     "hail": ["--voxels", 256, "--frames", 300, "--weather", "hail", "--set", "wind_x=30",
              "--set", "speed_0=300", "--set", "speed_1=200", "--set", "gravity=-30",
              "--set", "melt_time=1"],
@@ -91,6 +92,11 @@ def test_gpu_agrees_with_the_cpu_and_with_the_grid(programs, walk, weather):
     assert ((flakes.rest > 0) == (expected.rest > 0)).mean() >= 0.999
 
 
+def snow_on(scene, variant, *arguments):
+    return [STEP, "--scene", scene, "--variant", variant, "--voxels", 256, "--particles", 6000,
+            "--frames", 720, *arguments]
+
+
 @pytest.mark.parametrize("name", ["TABLE", "WALL"])
 def test_triangles_and_voxels_land_flakes_in_the_same_place(programs, walk, scene, name):
     """Within a voxel's diagonal, for flakes that lie in both variants and were born together.
@@ -100,9 +106,8 @@ def test_triangles_and_voxels_land_flakes_in_the_same_place(programs, walk, scen
     triangle and lands below. The edges of these scenes are 30 m long and the world is 256 m2: that
     is 0.7 % of the flakes.
     """
-    shared = ["--scene", scene(getattr(scenes, name)), "--particles", 8000, "--frames", 720]
-    voxels = programs.flakes(STEP, *shared)
-    triangles = programs.flakes(STEP, *shared, "--variant", "triangles")
+    voxels = programs.flakes(*snow_on(scene(name), "voxels"))
+    triangles = programs.flakes(*snow_on(scene(name), "triangles"))
     both = (voxels.rest > 0) & (triangles.rest > 0) & (abs(voxels.age - triangles.age) < 0.001)
     assert both.sum() > 500
     diagonal = numpy.sqrt(3) * 16 / 254  # m; one voxel of air on each side of 256
@@ -114,8 +119,7 @@ def test_triangles_and_voxels_land_flakes_in_the_same_place(programs, walk, scen
 def test_no_snow_under_a_table_but_below_its_gap(programs, scene, variant):
     """Without wind. Turbulence shakes a flake sideways by some 10 cm over the last 2 m
     (standard deviation), so 0.5 m from the edges of a plank nothing may lie."""
-    flakes = programs.flakes(STEP, "--scene", scene(scenes.TABLE), "--particles", 8000,
-                             "--frames", 720, "--variant", variant)
+    flakes = programs.flakes(*snow_on(scene("TABLE"), variant))
     x, y, z = flakes.position[flakes.rest > 0].T
     on_floor = y < 0.2
     assert (on_floor & (abs(x) < 2.5) & (abs(z) > 1.0) & (abs(z) < 2.5)).sum() == 0
@@ -124,8 +128,7 @@ def test_no_snow_under_a_table_but_below_its_gap(programs, scene, variant):
 
 
 def test_lee_side_of_a_wall_gets_less(programs, scene):
-    flakes = programs.flakes(STEP, "--scene", scene(scenes.WALL), "--particles", 8000,
-                             "--frames", 720, "--set", "wind_x=2")
+    flakes = programs.flakes(*snow_on(scene("WALL"), "voxels", "--set", "wind_x=2"))
     x, y, z = flakes.position[flakes.rest > 0].T
     near = (y < 0.2) & (abs(z) < 3)
     windward, lee = (near & (x > -2) & (x < -0.3)).sum(), (near & (x > 0.3) & (x < 2)).sum()
@@ -141,15 +144,15 @@ def test_courtyard_has_dry_places(programs):
     x, y, z = flakes.position[flakes.rest > 0].T
     open_court = (x > -4) & (z > -4) & (x < 7.5) & (z < 7.5) & (y < 5)
     arcade = (numpy.minimum(x, z) > -7.6) & (numpy.minimum(x, z) < -5.7) & (numpy.maximum(x, z) < 7)
-    assert open_court.sum() > 1000
+    assert open_court.sum() > 400
     assert (arcade & (y < 2.5)).sum() == 0
-    assert (arcade & (y > 3.2)).sum() > 500  # on its roof
+    assert (arcade & (y > 3.2)).sum() > 200  # on its roof
 
 
 @pytest.mark.parametrize("variant", ["voxels", "triangles"])
 @pytest.mark.parametrize("weather", ["snow", "rain", "hail"])
 def test_ledger_balances(programs, scene, weather, variant):
-    result = programs.run_well(STEP, *SMALL, "--scene", scene(scenes.TABLE), "--frames", 900,
+    result = programs.run_well(STEP, *small(STEP), "--scene", scene("TABLE"), "--frames", 900,
                                "--particles", 2000, "--weather", weather, "--variant", variant)
     entries = ledger(result.stdout)
     assert entries["released"] == sum(entries.values()) - entries["released"]
@@ -210,7 +213,8 @@ def test_missing_scene(programs, step, path):
     assert fails_with_one_line(programs.run(step, *SMALL, "--frames", 1, "--scene", path), 1, path)
 
 
-def test_scene_is_fitted_and_says_by_what_factor(programs, scene):
-    path = scene("v 0 0 0\nv 320 0 0\nv 0 0 320\nv 0 100 0\nf 1 2 3\nf 1 2 4\n")
-    result = programs.run_well(STEP, *SMALL, "--frames", 1, "--scene", path)
+def test_scene_is_fitted_and_says_by_what_factor(programs, tmp_path):
+    path = tmp_path / "scene.obj"
+    path.write_text("v 0 0 0\nv 320 0 0\nv 0 0 320\nv 0 100 0\nf 1 2 3\nf 1 2 4\n")
+    result = programs.run_well(STEP, *small(STEP), "--frames", 1, "--scene", path)
     assert "2 triangles" in result.stdout and "0.05" in result.stdout

@@ -5,7 +5,7 @@ import signal
 
 import pytest
 
-from conftest import SMALL, STEPS, WITH_SCENE, fails_with_one_line
+from conftest import SMALL, STEPS, WITH_SCENE, fails_with_one_line, small
 
 CANNOT_RUN, BAD_USAGE = 1, 2
 
@@ -60,7 +60,7 @@ def test_help(programs, step):
 
 @pytest.mark.parametrize("step", STEPS)
 def test_first_line_says_what_runs_where(programs, step):
-    first, warning, *_ = programs.run_well(step, *SMALL, "--frames", 1).stdout.splitlines()
+    first, warning, *_ = programs.run_well(step, *small(step), "--frames", 1).stdout.splitlines()
     for word in (step, "llvmpipe", "OpenGL 4", "20000 flakes", "64x64", "vsync off"):
         assert word in first
     assert warning.startswith("warning") and "software" in warning
@@ -91,7 +91,7 @@ def test_opengl_too_old(programs, step, needed, offered):
 @pytest.mark.parametrize("step", STEPS)
 def test_output_in_a_folder_that_does_not_exist(programs, step, option, tmp_path):
     path = tmp_path / "no" / "such" / "file"
-    result = programs.run(step, *SMALL, "--frames", 1, option, path)
+    result = programs.run(step, *small(step), "--frames", 1, option, path)
     assert fails_with_one_line(result, CANNOT_RUN, path)
     assert list(tmp_path.iterdir()) == []
 
@@ -138,6 +138,6 @@ def test_outputs_may_be_links(programs, option, tmp_path):
 
 @pytest.mark.parametrize("step", STEPS)
 def test_runs_from_any_folder_and_writes_only_what_was_asked_for(programs, step, tmp_path):
-    programs.run_well(step, *SMALL, "--frames", 1, "--dump", "flakes.csv", cwd=tmp_path)
+    programs.run_well(step, *small(step), "--frames", 1, "--dump", "flakes.csv", cwd=tmp_path)
     assert [file.name for file in tmp_path.iterdir()] == ["flakes.csv"]
-    programs.run_well(step, *SMALL, "--frames", 1, cwd="/")
+    programs.run_well(step, *small(step), "--frames", 1, cwd="/")

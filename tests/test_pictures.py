@@ -1,16 +1,21 @@
 """What is drawn: compared with a reference picture per program and variant, and without complaints
 from OpenGL. After a change that is meant to be seen: pytest test_pictures.py --new-references."""
 
+import functools
+
 import numpy
 import PIL.Image
 import pytest
 
-from conftest import ROOT, STEP_VARIANTS, STEPS, WITH_SCENE
+from conftest import ROOT, STEP_VARIANTS, STEPS, WITH_SCENE, small
 
 REFERENCES = ROOT / "tests" / "reference"
 
 
-def draw(programs, path, step, *arguments):
+@functools.lru_cache(maxsize=None)
+def draw(programs, step, *arguments):
+    """What is drawn last with these arguments; each is run only once."""
+    path = programs.folder / "picture.png"
     programs.run_well(step, "--size", "320x180", "--seed", 7, *arguments, "--screenshot", path)
     return numpy.asarray(PIL.Image.open(path).convert("RGB")).astype(int)
 
@@ -22,6 +27,8 @@ def setting(step, variant):
     if step == "step06_accumulation":
         return ["--particles", 5000, "--frames", 150, "--weather", "hail", "--voxels", 128,
                 "--set", "melt_time=0.3", "--set", "snowfall=3"]
+    if step == "step05_collision":
+        return ["--particles", 8000, "--frames", 150, "--set", "speed_0=4", "--set", "speed_1=6"]
     if step in ("step03_shader_points", "step04_transform_feedback"):  # large, to see their shape
         return ["--particles", 800, "--frames", 500, "--set", "diameter_0=0.5",
                 "--set", "diameter_1=1"]
@@ -37,11 +44,8 @@ def test_picture(request, programs, step, variant):
     test_one_snowfall.py) changes 10 pixels, a fiftieth of 1 %. Flakes a tenth too large change
     16 %, a light a fifth too weak 47 %.
     """
-    saved = programs.build / "pictures"
-    saved.mkdir(exist_ok=True)
     name = f"{step}_{variant}"
-    actual = draw(programs, saved / f"{name}_actual.png", step, "--variant", variant,
-                  *setting(step, variant))
+    actual = draw(programs, step, "--variant", variant, *setting(step, variant))
     reference = REFERENCES / f"{name}.png"
     if request.config.getoption("new_references"):
         PIL.Image.fromarray(actual.astype(numpy.uint8)).save(reference, optimize=True)
@@ -50,7 +54,10 @@ def test_picture(request, programs, step, variant):
     difference = abs(actual - expected)
     share = (difference.max(axis=2) > 24).mean()
     if share > 0.01:
-        for kind, picture in (("expected", expected), ("difference", difference)):
+        saved = programs.build / "pictures"
+        saved.mkdir(exist_ok=True)
+        for kind, picture in (("actual", actual), ("expected", expected),
+                              ("difference", difference)):
             PIL.Image.fromarray(picture.astype(numpy.uint8)).save(saved / f"{name}_{kind}.png")
         pytest.fail(f"{100 * share:.1f} % of the pixels differ: see the pictures "
                     f"{saved}/{name}_actual.png, ..._expected.png and ..._difference.png")
@@ -59,26 +66,26 @@ def test_picture(request, programs, step, variant):
 @pytest.mark.parametrize("step, variant", STEP_VARIANTS)
 def test_opengl_has_no_complaint(programs, step, variant):
     """--debug prints every error and message of OpenGL on stderr; run_well wants that empty."""
-    particles = 100 if variant == "triangles" else 20000
-    programs.run_well(step, "--debug", "--variant", variant, "--particles", particles,
-                      "--size", "320x180", "--frames", 60)
+    particles = 100 if variant == "triangles" else 2000
+    programs.run_well(step, *small(step), "--debug", "--variant", variant,
+                      "--particles", particles, "--frames", 60)
 
 
 @pytest.mark.parametrize("step, variant", STEP_VARIANTS)
-def test_flakes_are_drawn(programs, tmp_path, step, variant):
+def test_flakes_are_drawn(programs, step, variant):
     """With and without flakes the pictures differ: they come from the snow, not the background."""
-    shape = [*setting(step, variant), "--variant", variant]
-    with_snow = draw(programs, tmp_path / "snow.png", step, *shape)
-    shape[1] = 0  # --particles
-    without = draw(programs, tmp_path / "none.png", step, *shape)
+    shown = ["--variant", variant, *setting(step, variant)]
+    with_snow = draw(programs, step, *shown)
+    shown[shown.index("--particles") + 1] = 0
+    without = draw(programs, step, *shown)
     assert (with_snow != without).any(axis=2).sum() > 20
     if step not in WITH_SCENE:
         assert (without == without[0, 0]).all()  # nothing but the background
 
 
-def test_backgrounds_tell_the_windows_apart(programs, tmp_path):
+def test_backgrounds_tell_the_windows_apart(programs):
     """Each step has a colour of its own, so that two windows side by side are not confused."""
-    colours = {tuple(draw(programs, tmp_path / "empty.png", step, "--particles", 0, "--frames", 1,
+    colours = {tuple(draw(programs, step, "--particles", 0, "--frames", 1,
                           *(["--scene", "none"] if step in WITH_SCENE else []))[0, 0])
                for step in STEPS}
     assert len(colours) == len(STEPS)

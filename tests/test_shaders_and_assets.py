@@ -4,7 +4,7 @@ import shutil
 
 import pytest
 
-from conftest import ROOT, SMALL, STEPS, fails_with_one_line
+from conftest import ROOT, STEPS, fails_with_one_line, small
 
 # A shader or picture of each kind, with a program (and variant) that reads it.
 SHADERS = [
@@ -38,7 +38,8 @@ def copy(tmp_path):
 
 @pytest.fixture
 def run(programs, copy):
-    return lambda step, variant: programs.run(step, *SMALL, "--frames", 2, "--variant", variant,
+    return lambda step, variant: programs.run(step, *small(step), "--frames", 2,
+                                              "--variant", variant,
                                               environment={"SNOWFALL_DIR": str(copy)})
 
 

@@ -10,7 +10,7 @@ import numpy
 import PIL.Image
 import pytest
 
-from conftest import PATIENCE, SMALL, STEPS, Flakes, wait_until, without_progress
+from conftest import PATIENCE, SMALL, STEPS, Flakes, small, wait_until, without_progress
 
 # Runs until it is closed, then leaves a dump: more frames than anyone waits for.
 FOREVER = ["--realtime", "--frames", 1000000000]
@@ -103,7 +103,7 @@ def open_program(programs, tmp_path):
 def test_frames_asked_for_are_frames_shown(programs, tmp_path, step, frames, warmup):
     count = tmp_path / "count"
     preload = f"{os.environ.get('LD_PRELOAD', '')}:{programs.build}/tests/libcount_swaps.so"
-    programs.run_well(step, *SMALL, "--frames", frames, "--warmup", warmup,
+    programs.run_well(step, *small(step), "--frames", frames, "--warmup", warmup,
                       environment={"LD_PRELOAD": preload, "SWAPS_FILE": str(count)})
     assert int(count.read_text()) == frames + warmup
 
@@ -154,7 +154,7 @@ def test_camera_stands_where_it_is_told_and_flies_the_same_way_twice(programs, t
 
 @pytest.mark.parametrize("step", STEPS)
 def test_escape_ends_it_and_the_files_asked_for_are_there(open_program, tmp_path, step):
-    program = open_program(step, *SMALL, *FOREVER, "--dump", "flakes.csv",
+    program = open_program(step, *small(step), *FOREVER, "--dump", "flakes.csv",
                            "--screenshot", "last.png")
     program.press("Escape")
     program.ends_well()
@@ -175,7 +175,7 @@ def test_a_closed_window_leaves_what_was_measured(open_program, tmp_path):
 @pytest.mark.parametrize("step", STEPS)
 def test_close_button_ends_it_with_the_flakes_as_they_were(open_program, tmp_path, step):
     """The window, and OpenGL with it, must not be gone before the flakes are read back."""
-    program = open_program(step, *SMALL, *FOREVER, "--dump", "flakes.csv")
+    program = open_program(step, *small(step), *FOREVER, "--dump", "flakes.csv")
     program.press_close_button()
     program.ends_well()
     assert Flakes(tmp_path / "flakes.csv").airborne.any()
@@ -184,7 +184,7 @@ def test_close_button_ends_it_with_the_flakes_as_they_were(open_program, tmp_pat
 @pytest.mark.parametrize("step", STEPS)
 def test_resizing(open_program, tmp_path, step):
     """To a new size, seen in what the S key saves; to a single pixel and back."""
-    program = open_program(step, *SMALL)
+    program = open_program(step, *small(step))
     picture = tmp_path / f"{step}.png"
 
     def saved_size():
@@ -201,7 +201,7 @@ def test_resizing(open_program, tmp_path, step):
 @pytest.mark.parametrize("step", STEPS)
 def test_minimising(open_program, step):
     """A window manager minimises a window by unmapping it. Nothing is shown, and nothing breaks."""
-    program = open_program(step, *SMALL)
+    program = open_program(step, *small(step))
     program.xdotool("windowunmap", program.window)
     program.wait_for_frames()
     program.xdotool("windowmap", program.window)
@@ -213,7 +213,7 @@ def test_minimising(open_program, step):
 def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     """Seen in two pictures without snow: only the scene can change."""
     step = "step05_collision"
-    program = open_program(step, *SMALL, "--particles", 0, "--voxels", 32)
+    program = open_program(step, *small(step), "--particles", 0)
     program.press("h")  # the panel, which would catch the mouse, is as large as this window
     picture = tmp_path / f"{step}.png"
 
@@ -254,11 +254,9 @@ def test_a_hitch_loses_nothing(programs, open_program, tmp_path, step):
     one by one, to the byte: none is lost, landed twice or moved further. It hails, with little time
     between landing and rebirth, so that thousands of flakes land within these seconds.
     """
-    hail = [*SMALL, "--weather", "hail", "--set", "melt_time=20"]
-    if step == "step06_accumulation":
-        hail += ["--voxels", 64]
+    hail = ["--weather", "hail", "--set", "melt_time=20"]
     start = time.monotonic()
-    program = open_program(step, *hail, *FOREVER, "--dump", "flakes.csv")
+    program = open_program(step, *small(step), *hail, *FOREVER, "--dump", "flakes.csv")
     # Ten seconds are for the first program and the last: all share the code that meets the hitch.
     hitches = [0.1, 1, 10] if step in (STEPS[0], STEPS[-1]) else [0.1, 1]
     for seconds in hitches:
@@ -274,11 +272,11 @@ def test_a_hitch_loses_nothing(programs, open_program, tmp_path, step):
     assert (flakes.position[:, 1] >= 0).all()
 
     # The steps made, from the age of the flake that waits longest.
-    unborn = programs.flakes(step, *hail[2:], "--frames", 0)
+    unborn = programs.flakes(step, *hail, "--frames", 0)
     last = unborn.age.argmin()
     assert flakes.age[last] < 0
     steps = round((flakes.age[last] - unborn.age[last]) * 60)
     # The clock asks for 60 a second; of each hitch at most 8 steps are caught up.
     assert 0 < steps <= 60 * run_time + 8 * len(hitches) + 1
-    one_by_one = programs.dump(step, *hail[2:], "--frames", steps)
+    one_by_one = programs.dump(step, *hail, "--frames", steps)
     assert (tmp_path / "flakes.csv").read_bytes() == one_by_one
