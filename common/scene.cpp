@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "common/files.hpp"
+#include "common/polygon.hpp"
 
 namespace {
 
@@ -21,14 +22,17 @@ using glm::vec3;
 }
 
 // What tinyobjloader lets pass in silence: a vertex of fewer than three finite numbers, which it
-// reads as zeros, and a face of fewer than three corners, which it drops.
+// reads as zeros, a face of fewer than three corners, which it drops, and one of more than 255,
+// whose corners it miscounts.
 void check_lines(const std::filesystem::path& path, const std::string& text)
 {
     if (text.find('\0') != std::string::npos) refuse(path, "not a text file");
     std::istringstream lines(text);
     std::string line, keyword, word;
     for (int number = 1; std::getline(lines, line); ++number) {
-        if (line.compare(0, 2, "v ") != 0 && line.compare(0, 2, "f ") != 0) continue;
+        const size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+        const std::string start = line.substr(first, 2);
+        if (start != "v " && start != "v\t" && start != "f " && start != "f\t") continue;
         std::istringstream words(line);
         words >> keyword;
         int count = 0;
@@ -47,6 +51,10 @@ void check_lines(const std::filesystem::path& path, const std::string& text)
             refuse(path, "line " + std::to_string(number) + ": " + std::to_string(count) +
                              (keyword == "v" ? " coordinates" : " corners") +
                              ", at least 3 are needed");
+        }
+        if (keyword == "f" && count > 255) {
+            refuse(path, "line " + std::to_string(number) + ": " + std::to_string(count) +
+                             " corners, at most 255 can be read");
         }
     }
 }
@@ -97,26 +105,33 @@ Scene load_scene(const std::filesystem::path& path, char up)
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
-    constexpr bool triangulate = true;
+    constexpr bool triangulate = false;  // it does so wrongly where corners point inwards
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &lines,
                           &materials_reader, triangulate)) {
         refuse(path, error.substr(0, error.find('\n')));
     }
 
+    const auto position = [&](tinyobj::index_t corner) {
+        const int index = corner.vertex_index;
+        if (index < 0 || 3 * size_t(index) + 2 >= attributes.vertices.size()) {
+            refuse(path, "a face names vertex " + std::to_string(index + 1) + " of " +
+                             std::to_string(attributes.vertices.size() / 3));
+        }
+        const float* xyz = &attributes.vertices[3 * size_t(index)];
+        return up == 'z' ? vec3(xyz[0], xyz[2], -xyz[1]) : vec3(xyz[0], xyz[1], xyz[2]);
+    };
     Scene scene;
     std::vector<vec3> emission;
     for (const tinyobj::shape_t& shape : shapes) {
-        for (size_t corner = 0; corner < shape.mesh.indices.size(); ++corner) {
-            const int index = shape.mesh.indices[corner].vertex_index;
-            if (index < 0 || 3 * size_t(index) + 2 >= attributes.vertices.size()) {
-                refuse(path, "a face names vertex " + std::to_string(index + 1) + " of " +
-                                 std::to_string(attributes.vertices.size() / 3));
-            }
-            const float* xyz = &attributes.vertices[3 * size_t(index)];
+        const tinyobj::mesh_t& mesh = shape.mesh;
+        auto first = mesh.indices.begin();
+        for (size_t face = 0; face < mesh.num_face_vertices.size(); ++face) {
+            std::vector<glm::dvec3> corners(mesh.num_face_vertices[face]);
+            std::transform(first, first + std::ptrdiff_t(corners.size()), corners.begin(),
+                           position);
+            first += std::ptrdiff_t(corners.size());
             Vertex vertex{};
-            vertex.position =
-                up == 'z' ? vec3(xyz[0], xyz[2], -xyz[1]) : vec3(xyz[0], xyz[1], xyz[2]);
-            const int material = shape.mesh.material_ids[corner / 3];
+            const int material = mesh.material_ids[face];
             vertex.colour = vec3(0.5f);
             emission.emplace_back(0);
             if (material >= 0) {
@@ -125,7 +140,10 @@ Scene load_scene(const std::filesystem::path& path, char up)
                 const tinyobj::real_t* own = materials[size_t(material)].emission;
                 emission.back() = {own[0], own[1], own[2]};
             }
-            scene.vertices.push_back(vertex);
+            for (const size_t corner : cut_into_triangles(corners)) {
+                vertex.position = corners[corner];
+                scene.vertices.push_back(vertex);
+            }
         }
     }
     if (scene.vertices.empty()) refuse(path, "it has no faces (is it a Wavefront OBJ file?)");

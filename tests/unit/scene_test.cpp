@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace fs = std::filesystem;
 using glm::vec3;
@@ -52,6 +54,92 @@ TEST_F(SceneFile, WithPolygonsIsDividedIntoTriangles)
     EXPECT_EQ(load(square + "f 1 2 3 4\n").vertices.size(), 6u);
     // Six corners around a square, in a regular order.
     EXPECT_NEAR(area(load(square + "v -8 0 0\nv 8 0 0\nf 1 5 2 3 6 4\n")), 256, 1e-3);
+}
+
+TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
+{
+    // An L, from each of its corners on, facing up and facing down, lying and standing.
+    const std::string corners[] = {
+        "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 4\nv -4 0 4\nv -4 0 -8\n",
+        "v 0 -8 0\nv 16 -8 0\nv 16 8 0\nv 12 8 0\nv 12 -4 0\nv 0 -4 0\n"};
+    for (int first = 0; first < 6; ++first) {
+        std::string face, reversed;
+        for (int i = 0; i < 6; ++i) {
+            const std::string corner = std::to_string((first + i) % 6 + 1) + " ";
+            face += corner;
+            reversed = corner + reversed;
+        }
+        const Scene scene = load(corners[0] + "f " + face + "\n");
+        EXPECT_EQ(scene.vertices.size(), 3u * 4u);
+        EXPECT_NEAR(area(scene), 16 * 4 + 12 * 4, 1e-3);
+        EXPECT_NEAR(area(scene, true), 16 * 4 + 12 * 4, 1e-3) << "none is turned over";
+        for (size_t i = 0; i < scene.vertices.size(); i += 3) {
+            const vec3 middle = (scene.vertices[i].position + scene.vertices[i + 1].position +
+                                 scene.vertices[i + 2].position) /
+                                3.0f;
+            EXPECT_TRUE(middle.x < -4 || middle.z > 4) << "outside the L";
+        }
+        EXPECT_NEAR(area(load(corners[0] + "f " + reversed + "\n"), true), -112, 1e-3);
+        // Standing, it is scaled to a height of 6 m.
+        EXPECT_NEAR(area(load(corners[1] + "f " + face + "\n")), 112 * 0.375 * 0.375, 1e-3);
+    }
+}
+
+TEST_F(SceneFile, MayHaveACombOfManyTeeth)
+{
+    std::ostringstream text;  // 16 m wide; every second tooth's gap goes back to z = -7
+    int corners = 0;
+    const auto corner = [&](float x, float z) {
+        text << "v " << x << " 0 " << z << "\n";
+        ++corners;
+    };
+    for (int tooth = 0; tooth < 60; ++tooth) {
+        const float x = 8 - float(tooth) * 16 / 60, width = 8.0f / 60;
+        corner(x, -8), corner(x - width, -8);
+        corner(x - width, 7), corner(x - 2 * width, 7);
+    }
+    corner(-8, 8), corner(8, 8);
+    text << "f";
+    for (int i = 1; i <= corners; ++i) text << " " << i;
+    const Scene scene = load(text.str() + "\n");
+    EXPECT_EQ(scene.vertices.size(), 3u * size_t(corners - 2));
+    EXPECT_NEAR(area(scene), 16 + 8 * 15, 1e-3);
+    EXPECT_NEAR(std::abs(area(scene, true)), 16 + 8 * 15, 1e-3);
+}
+
+TEST_F(SceneFile, MayHavePolygonsThatNoTrianglesCouldFill)
+{
+    // All corners in a line, all but one in one place, a bow tie, a spike, a hole with a seam to
+    // it.
+    for (const char* face : {"1 5 4 5 1 4", "1 1 1 1 1 2", "1 2 4 3", "1 2 3 2 4"}) {
+        std::istringstream words(face);
+        const auto corners = std::distance(std::istream_iterator<int>(words), {});
+        const Scene scene = load(square + "v 0 0 -8\nf 1 2 3\nf " + std::string(face) + "\n");
+        EXPECT_EQ(scene.vertices.size(), size_t(3 * (1 + corners - 2))) << face;
+    }
+    const Scene ring = load(square + "v -4 0 -4\nv -4 0 4\nv 4 0 4\nv 4 0 -4\n"
+                                     "f 1 2 3 4 1 5 8 7 6 5\n");
+    EXPECT_NEAR(area(ring), 16 * 16 - 8 * 8, 1e-3);
+    EXPECT_NEAR(area(ring, true), 16 * 16 - 8 * 8, 1e-3);
+}
+
+TEST_F(SceneFile, MayHavePolygonsThatAreNotFlat)
+{
+    const Scene scene = load("v -8 0 -8\nv -8 1 8\nv 8 0 8\nv 8 1 -8\nf 1 2 3 4\n");
+    EXPECT_EQ(scene.vertices.size(), 6u);
+    EXPECT_NEAR(area(scene, true), 256, 1e-3);
+}
+
+TEST_F(SceneFile, RefusesPolygonsWithMoreCornersThanCanBeCounted)
+{
+    std::string face = "f";
+    for (int i = 0; i < 256; ++i) face.append(" ").append(std::to_string(i % 4 + 1));
+    try {
+        load(square + face + "\n");
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("line 5: 256 corners"), std::string::npos);
+    }
 }
 
 TEST_F(SceneFile, MayCountItsVerticesBackwards)
