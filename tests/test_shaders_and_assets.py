@@ -22,7 +22,8 @@ SHADERS = [
     ("step05_collision/scene.frag", "step05_collision", "voxels"),
     ("step05_collision/voxels.glsl", "step06_accumulation", "cells"),
     ("step06_accumulation/snow_cover.glsl", "step06_accumulation", "cells"),
-    ("step06_accumulation/scene.vert", "step06_accumulation", "cells"),
+    ("step06_accumulation/surface.tesc", "step06_accumulation", "cells"),
+    ("step06_accumulation/settle.comp", "step06_accumulation", "cells"),
 ]
 CRYSTALS = "step03_shader_points/snowflakes.png"
 
