@@ -67,8 +67,8 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
         weather.melt_time = rain ? 0.2f : 6.0f;
         weather.emitters[0].terminal_speed = rain ? 6.0f : 12.0f;
         weather.emitters[1].terminal_speed = rain ? 9.0f : 18.0f;
-        weather.emitters[0].diameter = rain ? 0.015f : 0.02f;
-        weather.emitters[1].diameter = rain ? 0.02f : 0.03f;
+        weather.emitters[0].diameter = rain ? 0.02f : 0.035f;
+        weather.emitters[1].diameter = rain ? 0.028f : 0.05f;
     } else if (preset != "snow") {
         throw std::invalid_argument("no weather is called " + preset);
     }

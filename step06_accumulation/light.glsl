@@ -80,13 +80,14 @@ vec3 lit(vec3 colour, vec3 normal, vec3 position)
     return colour * result;
 }
 
-// The same for a white flake, which has no side: it scatters light from everywhere.
+// The same for a white flake, which has no side: it scatters light from everywhere. It may lie on a surface.
 vec3 light_on_flake(vec3 position)
 {
     vec3 to_lamp = light.lamp_position - position;
     float squared = max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
-    return sky_seen_from(position).w * (light.sky + light.ground) +
-           0.5 * (light.sun * sunlight_at(position) + light.lamp / squared);
+    vec3 up = vec3(0.0, 1.0, 0.0);
+    return sky_seen_from(position + 0.25 * up).w * (light.sky + light.ground) +
+           0.5 * (light.sun * sunlight_at(position + 0.03 * up) + light.lamp / squared);
 }
 
 // Colour of so much air that nothing shines through it, seen in this direction (length 1). Air full of snow

@@ -8,6 +8,7 @@
 #include "common/options.hpp"
 #include "common/output.hpp"
 #include "common/program.hpp"
+#include "common/texture.hpp"
 #include "common/window.hpp"
 #include "step03_shader_points/particle_layout.hpp"
 #include "step05_collision/ledger.hpp"
@@ -39,6 +40,8 @@ const Step this_step = {
             a_switch("sparkle", true, "crystals on the snow flash in the sun"),
             a_switch("settling", true, "snow steeper than its angle of repose slides"),
             a_switch("melting", true, "snow melts where it is warmer than 0 degrees"),
+            a_switch("billboards", true, "flakes are crystals, drawn out along their way"),
+            a_switch("splashes", true, "of drops that reach the ground"),
             a_switch("wind_field", true, "the wind flows around the scene"),
             a_switch("arrows", false, "the wind as arrows, the redder the faster", 'W'),
             a_switch("sky", true, "sky, and a field around the scene"),
@@ -100,8 +103,14 @@ void run(Window& window, const World& world)
     Program backdrop({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
                       {GL_FRAGMENT_SHADER, "step06_accumulation/sky.frag"}});
     SnowSurface surface(solid.scene, solid.grid.cell_size);
-    Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
-                   {GL_FRAGMENT_SHADER, "step03_shader_points/flake_disc.frag"}});
+    Program sprite({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
+                    {GL_FRAGMENT_SHADER, "step03_shader_points/flake_disc.frag"}});
+    Program billboard({{GL_VERTEX_SHADER, "step06_accumulation/flake.vert"},
+                       {GL_GEOMETRY_SHADER, "step06_accumulation/flake.geom"},
+                       {GL_FRAGMENT_SHADER, "step06_accumulation/flake.frag"}});
+    glActiveTexture(GL_TEXTURE6);  // which is the crystals' in all that follows
+    const GlObject crystals = load_texture("step03_shader_points/snowflakes.png");
+    glActiveTexture(GL_TEXTURE0);
 
     const vec3 sky(0.30f, 0.34f, 0.42f);
     glEnable(GL_DEPTH_TEST);
@@ -175,10 +184,15 @@ void run(Window& window, const World& world)
         }
         {
             const auto stage = window.stage("draw");
-            flake.use();
-            flake.set("view", window.view());
-            flake.set("projection", window.projection());
-            flake.set("window_height", float(window.size().y));
+            if (options.on("billboards")) {
+                billboard.use();
+                billboard.set("splashes", options.on("splashes") ? 1 : 0);
+            } else {
+                sprite.use();
+                sprite.set("view", window.view());
+                sprite.set("projection", window.projection());
+                sprite.set("window_height", float(window.size().y));
+            }
             glBindVertexArray(vaos[now]);
             glEnable(GL_BLEND);
             glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
