@@ -3,6 +3,8 @@
 
 #include <GL/glew.h>
 
+#include <algorithm>
+
 #include "common/gl_object.hpp"
 #include "common/window.hpp"
 
@@ -31,7 +33,11 @@ public:
         frame_.eye = window.eye();
         frame_.shutter = float(window.steps()) * weather.time_step;
         frame_.window_size = window.size();
-        frame_.field_depth = float(step) * weather.time_step * weather.snowfall / 60.0f;
+        // The first flakes fall and lie for a while before they are part of the cover.
+        const snow::Emitter& cloud = weather.emitters[0];
+        const float late = cloud.centre.y / cloud.terminal_speed + weather.melt_time;  // s
+        frame_.field_depth =
+            weather.snowfall / 60.0f * std::max(float(step) * weather.time_step - late, 0.0f);
         glBindBuffer(GL_UNIFORM_BUFFER, buffer_);
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof frame_, &frame_);
     }

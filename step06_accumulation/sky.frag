@@ -34,7 +34,7 @@ void main()
     vec3 radiance;
     float way;  // m through snowy air
     if (direction.y < 0.0) {
-        way = -frame.eye.y / direction.y;  // to the ground, y = 0
+        way = max(frame.eye.y - frame.field_depth, 0.0) / -direction.y;  // to the snow on the ground
         float white = smoothstep(0.0, 0.02, frame.field_depth);
         vec3 field = mix(vec3(0.20, 0.21, 0.17), vec3(0.90, 0.93, 0.97), white);
         radiance = lit(field, vec3(0.0, 1.0, 0.0), frame.eye + way * direction);
