@@ -5,7 +5,7 @@ struct Frame {
     mat4 projection;    // eye to clip space
     mat4 view_before;   // the view of the frame before
     vec3 eye;           // m, world space
-    float shutter;      // s of the snow's time since the frame before
+    float shutter;      // s since the frame before
     ivec2 window_size;  // pixels
     float field_depth;  // m of snow on open ground
     float unused;       // fills the row of four

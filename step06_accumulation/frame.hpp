@@ -31,7 +31,8 @@ public:
         frame_.view = window.view();
         frame_.projection = window.projection();
         frame_.eye = window.eye();
-        frame_.shutter = float(window.steps()) * weather.time_step;
+        frame_.shutter =
+            float(window.steps()) * weather.time_step / float(window.options().timelapse);
         frame_.window_size = window.size();
         // The first flakes fall and lie for a while before they are part of the cover.
         const snow::Emitter& cloud = weather.emitters[0];
