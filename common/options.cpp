@@ -152,6 +152,13 @@ Options parse_options(int argc, char** argv, Step step)
                        "pixels of emitter 0's points, half of emitter 1's (1)")
             ->check(CLI::Range(0.1, 64.0));
     }
+    for (const Setting& setting : options.step.settings) {
+        if (setting.name != std::string("hold_fps")) continue;
+        app.add_option_function<std::string>(
+            "--hold-fps",
+            [&settings](const std::string& fps) { settings.push_back("hold_fps=" + fps); },
+            "frame rate to hold by moving fewer flakes");
+    }
     app.add_option("--seed", seed, "another seed, another snowfall (1)");
     app.add_option("--size", size, "window, WIDTHxHEIGHT in pixels (1280x720)");
     app.add_option("--camera", camera,

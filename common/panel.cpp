@@ -124,6 +124,7 @@ void Panel::draw(glm::ivec2 size, Options& options, Controls& controls,
         ImGui::SameLine();
         ImGui::Text("video memory free %d MiB", free);
     }
+    if (!controls.note.empty()) ImGui::TextUnformatted(controls.note.c_str());
 
     ImGui::Separator();
     static int flakes = 0;  // as the slider stands; taken over when it is let go

@@ -14,6 +14,7 @@ public:
         bool single_step = false;  // one step of physics, then pause again
         bool restart = false;      // begin anew, with all buffers as large as they then need to be
         bool weather_changed = false;  // since the frame before
+        std::string note;              // the step's own line
     };
 
     Panel();

@@ -156,10 +156,10 @@ bool Window::begin_frame()
     }
     weather_changed_ = std::exchange(controls_.weather_changed, false);
     const Clock::time_point now = Clock::now();
-    const double elapsed = std::chrono::duration<double>(now - last_frame_).count();
+    frame_seconds_ = std::chrono::duration<double>(now - last_frame_).count();
     last_frame_ = now;
-    steps_ = steps_of_this_frame(elapsed);
-    if (touring_) fly(elapsed);
+    steps_ = steps_of_this_frame();
+    if (touring_) fly();
     glViewport(0, 0, size_.x, size_.y);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     // Software renderers answer some queries with 0: there the last frames of a benchmark's warm-up
@@ -230,12 +230,11 @@ bool Window::again()
     return true;
 }
 
-// elapsed: s since the frame before.
-int Window::steps_of_this_frame(double elapsed)
+int Window::steps_of_this_frame()
 {
     const double time_step = options_.weather.time_step, timelapse = options_.timelapse;
     constexpr int most = 8;
-    owed_ = std::min(owed_ + timelapse * elapsed, most * timelapse * time_step);
+    owed_ = std::min(owed_ + timelapse * frame_seconds_, most * timelapse * time_step);
     if (controls_.paused) {
         owed_ = 0;
         return std::exchange(controls_.single_step, false) ? 1 : 0;
@@ -247,11 +246,12 @@ int Window::steps_of_this_frame(double elapsed)
 }
 
 // In a reproducible run a frame is a 60th of a second, so that a recording can be repeated.
-void Window::fly(double elapsed)
+void Window::fly()
 {
     const View view = tour(float(tour_time_));
     camera_.look(view.eye, view.target);
-    if (drawn_ >= options_.warmup) tour_time_ += options_.reproducible() ? 1 / 60.0 : elapsed;
+    if (drawn_ >= options_.warmup)
+        tour_time_ += options_.reproducible() ? 1 / 60.0 : frame_seconds_;
 }
 
 void Window::show_frame_time()

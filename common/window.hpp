@@ -36,6 +36,11 @@ public:
     // All of it times --timelapse.
     int steps() const { return steps_; }
 
+    double frame_seconds() const { return frame_seconds_; }  // since the frame before
+
+    // A line of the step's own for the panel, until it gives another.
+    void note(const std::string& line) { controls_.note = line; }
+
     // Has a slider moved since the frame before?
     bool weather_changed() const { return weather_changed_; }
 
@@ -53,8 +58,8 @@ private:
     void finish_frame(bool last);
     void report();
     bool measuring() const { return options_.benchmark || !options_.csv.empty(); }
-    int steps_of_this_frame(double elapsed);
-    void fly(double elapsed);
+    int steps_of_this_frame();
+    void fly();
     void show_frame_time();
     static void on_key(unsigned char key, int x, int y);
     static void on_button(int button, int state, int x, int y);
@@ -77,6 +82,7 @@ private:
     bool frame_open_ = false, window_gone_ = false;
     unsigned drawn_ = 0;  // frames, warm-up included
     int steps_ = 0;
+    double frame_seconds_ = 0;
     double owed_ = 0;  // s of physics the clock is ahead
     Clock::time_point last_frame_, last_swap_, last_title_;
     unsigned drawn_at_last_title_ = 0;

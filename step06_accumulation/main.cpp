@@ -17,6 +17,7 @@
 #include "step06_accumulation/ambient_occlusion.hpp"
 #include "step06_accumulation/columns.hpp"
 #include "step06_accumulation/frame.hpp"
+#include "step06_accumulation/frame_rate.hpp"
 #include "step06_accumulation/lamp.hpp"
 #include "step06_accumulation/light.hpp"
 #include "step06_accumulation/shadow_map.hpp"
@@ -52,6 +53,8 @@ const Step this_step = {
             {"sun_height", "degrees", -20, 80, 20, "of the sun above the horizon"},
             {"sun_direction", "degrees", 0, 360, 118, "where the sun stands, from +z towards +x"},
             {"exposure", "", 0.1f, 10, 1, "of the picture"},
+            {"hold_fps", "fps", 0, 240, 0, "frame rate to hold by moving fewer flakes; 0: none"},
+            {"live", "", 0.01f, 1, 1, "part of the flakes that moves at most, each the heavier"},
             {"gusts", "", 0, 2, 0.3f, "largest change of the wind in a gust, relative"},
         },
 };
@@ -86,6 +89,8 @@ void run(Window& window, const World& world)
         describe_particles();
     }
     int now = 0;  // the buffer that holds the flakes as they are
+    FrameRate frame_rate;
+    LiveFlakes live(weather.particles);
 
     const SolidScene& solid = world.solid;
     SnowCover cover(solid.grid);
@@ -120,20 +125,28 @@ void run(Window& window, const World& world)
     glClearColor(sky.r, sky.g, sky.b, 1.0f);
     while (window.begin_frame()) {
         if (window.weather_changed()) weather_block = upload_weather(weather);
+        frame_rate.frame(window.frame_seconds(), window.steps(), options.setting("hold_fps"),
+                         options.setting("live"));
+        window.note(frame_rate.report());
+        live.resize(frame_rate.share(), buffers[now], buffers[1 - now]);
         {
             const auto stage = window.stage("update");
             update.use();
             set_voxels(update, solid.grid, solid.voxels);
             world.wind.set(update, options);
-            update.set("flake_mass", cover.flake_mass(weather));
+            update.set("flake_mass", cover.flake_mass(weather) * live.weight());
             for (int n = 0; n < window.steps(); ++n, ++step) {
                 update.set("step_number", step);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
                 glBindVertexArray(vaos[now]);
-                glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers[1 - now]);
-                glBeginTransformFeedback(GL_POINTS);
-                glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
-                glEndTransformFeedback();
+                for (const Range& half : live) {
+                    if (half.count == 0) continue;  // an empty range may not be bound
+                    glBindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers[1 - now],
+                                      begin_of(half), size_of(half));
+                    glBeginTransformFeedback(GL_POINTS);
+                    glDrawArrays(GL_POINTS, half.first, half.count);
+                    glEndTransformFeedback();
+                }
                 glDisable(GL_RASTERIZER_DISCARD);
                 glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // who reads next sees this snow
                 now = 1 - now;
@@ -196,7 +209,7 @@ void run(Window& window, const World& world)
             glBindVertexArray(vaos[now]);
             glEnable(GL_BLEND);
             glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
-            glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
+            for (const Range& half : live) glDrawArrays(GL_POINTS, half.first, half.count);
             glDepthMask(GL_TRUE);
             glDisable(GL_BLEND);
         }

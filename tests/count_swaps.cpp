@@ -1,9 +1,11 @@
 // Loaded into a program with LD_PRELOAD, counts the frames that it shows and leaves their number in
-// the file that SWAPS_FILE names.
+// the file that SWAPS_FILE names. SWAPS_LOAD, "first last ms others", makes those frames take so
+// much longer, and all others so much.
 #include <dlfcn.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <thread>
 
 namespace {
 
@@ -19,6 +21,15 @@ struct Count {
     }
 } count;
 
+struct Load {
+    long first = 0, last = 0, milliseconds = 0, others = 0;
+    Load()
+    {
+        const char* load = std::getenv("SWAPS_LOAD");
+        if (load) std::sscanf(load, "%ld %ld %ld %ld", &first, &last, &milliseconds, &others);
+    }
+} load;
+
 }  // namespace
 
 // Stands in the way of GLX's own function. Both arguments pass through unseen: a pointer and an id.
@@ -27,5 +38,8 @@ extern "C" void glXSwapBuffers(void* display, unsigned long drawable)
     using Function = void (*)(void*, unsigned long);
     static const auto original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glXSwapBuffers"));
     ++count.swaps;
+    const bool loaded = count.swaps >= load.first && count.swaps <= load.last;
+    const long wait = loaded ? load.milliseconds : load.others;
+    if (wait > 0) std::this_thread::sleep_for(std::chrono::milliseconds(wait));
     original(display, drawable);
 }
