@@ -121,7 +121,7 @@ Scene load_scene(const std::filesystem::path& path, char up)
         return up == 'z' ? vec3(xyz[0], xyz[2], -xyz[1]) : vec3(xyz[0], xyz[1], xyz[2]);
     };
     Scene scene;
-    std::vector<vec3> emission;
+    std::vector<vec3> emission;  // of each vertex
     for (const tinyobj::shape_t& shape : shapes) {
         const tinyobj::mesh_t& mesh = shape.mesh;
         auto first = mesh.indices.begin();
@@ -133,16 +133,17 @@ Scene load_scene(const std::filesystem::path& path, char up)
             Vertex vertex{};
             const int material = mesh.material_ids[face];
             vertex.colour = vec3(0.5f);
-            emission.emplace_back(0);
+            vec3 own_light(0);
             if (material >= 0) {
                 const tinyobj::real_t* diffuse = materials[size_t(material)].diffuse;
                 vertex.colour = {diffuse[0], diffuse[1], diffuse[2]};
                 const tinyobj::real_t* own = materials[size_t(material)].emission;
-                emission.back() = {own[0], own[1], own[2]};
+                own_light = {own[0], own[1], own[2]};
             }
             for (const size_t corner : cut_into_triangles(corners)) {
                 vertex.position = corners[corner];
                 scene.vertices.push_back(vertex);
+                emission.push_back(own_light);
             }
         }
     }

@@ -185,6 +185,20 @@ TEST_F(SceneFile, TakesItsColoursFromTheMaterialsBesideIt)
     EXPECT_EQ(scene.vertices[5].colour, vec3(0.5f));
 }
 
+TEST_F(SceneFile, TellsWhatShines)
+{
+    std::ofstream(folder / "m.mtl")
+        << "newmtl stone\nKd 0.1 0.2 0.3\nnewmtl glass\nKd 1 1 1\nKe 1 0.5 0.25\n";
+    const Scene scene = load("mtllib m.mtl\n" + square +
+                             "v 0 1 0\nv 1 1 0\nv 0 2 0\n"
+                             "usemtl stone\nf 1 2 3 4\nusemtl glass\nf 5 6 7\n");
+    ASSERT_EQ(scene.vertices.size(), 9u);
+    ASSERT_EQ(scene.lamps.size(), 3u);
+    EXPECT_EQ(scene.lamps[0].position, vec3(0, 1, 0));
+    EXPECT_EQ(scene.lamps[0].colour, vec3(1, 0.5f, 0.25f));
+    EXPECT_EQ(scene.vertices[6].colour, vec3(1));  // by day it looks like any other
+}
+
 TEST_F(SceneFile, IsGreyIfItsMaterialsAreMissing)
 {
     const Scene scene = load("mtllib none.mtl\n" + square + "usemtl red\nf 1 2 3 4\n");
