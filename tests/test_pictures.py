@@ -35,17 +35,15 @@ def setting(step, variant):
     return ["--particles", 5000, "--frames", 500]
 
 
-@pytest.mark.parametrize("step, variant", STEP_VARIANTS)
-def test_picture(request, programs, step, variant):
-    """At most 1 % of the pixels may differ by more than 24 of 255 levels in a channel.
+def check_picture(request, programs, name, actual):
+    """Compares with the reference picture of that name, or makes a new one if that is asked for.
 
+    At most 1 % of the pixels may differ by more than 24 of 255 levels in a channel.
     Mesa's rasterizer differs from release to release in the last bits: along the edges of triangles
     and sprites a pixel more or less is covered, by some levels. One flake that is elsewhere (see
     test_one_snowfall.py) changes 10 pixels, a fiftieth of 1 %. Flakes a tenth too large change
     16 %, a light a fifth too weak 47 %.
     """
-    name = f"{step}_{variant}"
-    actual = draw(programs, step, "--variant", variant, *setting(step, variant))
     reference = REFERENCES / f"{name}.png"
     if request.config.getoption("new_references"):
         PIL.Image.fromarray(actual.astype(numpy.uint8)).save(reference, optimize=True)
@@ -61,6 +59,12 @@ def test_picture(request, programs, step, variant):
             PIL.Image.fromarray(picture.astype(numpy.uint8)).save(saved / f"{name}_{kind}.png")
         pytest.fail(f"{100 * share:.1f} % of the pixels differ: see the pictures "
                     f"{saved}/{name}_actual.png, ..._expected.png and ..._difference.png")
+
+
+@pytest.mark.parametrize("step, variant", STEP_VARIANTS)
+def test_picture(request, programs, step, variant):
+    actual = draw(programs, step, "--variant", variant, *setting(step, variant))
+    check_picture(request, programs, f"{step}_{variant}", actual)
 
 
 @pytest.mark.parametrize("step, variant", STEP_VARIANTS)
