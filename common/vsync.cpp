@@ -33,3 +33,12 @@ const char* vsync_state()
     return interval != 0 ? "on" : "off";
 #endif
 }
+
+void release_context()
+{
+#ifdef _WIN32
+    wglMakeCurrent(nullptr, nullptr);
+#else
+    glXMakeCurrent(glXGetCurrentDisplay(), None, nullptr);
+#endif
+}

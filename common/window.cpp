@@ -104,6 +104,7 @@ Window::Window(Options options)
 Window::~Window()
 {
     panel_.reset();
+    release_context();
     glutExit();  // at once; glutDestroyWindow would only queue it for a main loop that is over
     the_window = nullptr;
 }
