@@ -100,7 +100,7 @@ void main()
         // The eye is slow: it never sees drops, but how they sparkle on their way.
         draw(position, flake[0].velocity, min(max(frame.shutter, 1.0 / 30.0), age), size, 6.0, mat2(1.0));
     } else {
-        float left = 1.0 - clamp(rest / weather.melt_time, 0.0, 1.0);
+        float left = 1.0 - clamp(rest / max(weather.melt_time, weather.time_step), 0.0, 1.0);
         // A crystal turns slowly, one way or the other, and tumbles: what is tilted looks narrower.
         vec2 random = vec2(hash(index) >> 8u, hash(index + 1u) >> 8u) / 16777216.0;
         float angle = 6.2831853 * random.x + (3.0 * random.y - 1.5) * (age - rest);
