@@ -44,8 +44,7 @@ Sky sky_at(float sun_height)
 // red, when it stands low. Air mass: Kasten and Young, "Revised optical air mass tables", 1989.
 vec3 through_atmosphere(float height)  // degrees
 {
-    const vec3 optical_depth(0.09f, 0.15f,
-                             0.29f);  // for red, green, blue: Rayleigh's, and some dust
+    const vec3 optical_depth(0.09f, 0.15f, 0.29f);  // molecules and some dust: red, green, blue
     const float h = std::max(height, 0.0f);
     const float air_mass =
         1.0f / (std::sin(glm::radians(h)) + 0.50572f * std::pow(h + 6.07995f, -1.6364f));
@@ -101,7 +100,7 @@ void Lighting::update(const Options& options, unsigned step)
     const bool night = sun_height < 0;
     const float height = night ? sun_height + 45 : sun_height;
     const vec3 brightness =
-        night ? smoothstep(-3.0f, -9.0f, sun_height) * vec3(0.10f, 0.13f, 0.20f)
+        night ? (1 - smoothstep(-9.0f, -3.0f, sun_height)) * vec3(0.10f, 0.13f, 0.20f)
               : 3.2f * smoothstep(0.0f, 2.0f, sun_height) * through_atmosphere(height);
     const float h = glm::radians(height);
     light_.to_sun = {std::cos(h) * std::sin(direction), std::sin(h),
@@ -127,7 +126,7 @@ void Lighting::update(const Options& options, unsigned step)
     // Where the sun has just set, or is about to, the sky glows.
     light_.twilight =
         std::exp(-0.04f * (sun_height + 1) * (sun_height + 1)) * vec3(0.70f, 0.28f, 0.08f);
-    light_.stars = smoothstep(-5.0f, -12.0f, sun_height);
+    light_.stars = 1 - smoothstep(-12.0f, -5.0f, sun_height);
     light_.exposure = options.setting("exposure");
 
     // The ground sends back what falls on it, snow more than stone.
@@ -136,7 +135,7 @@ void Lighting::update(const Options& options, unsigned step)
         mix(0.2f, 0.7f, white) * (light_.sky + std::max(light_.to_sun.y, 0.0f) * light_.sun);
 
     const bool has_lamp = options.on("lamp") && lamp_ != vec3(0);
-    light_.lamp_is_on = has_lamp ? smoothstep(4.0f, 0.0f, sun_height) : 0.0f;
+    light_.lamp_is_on = has_lamp ? 1 - smoothstep(0.0f, 4.0f, sun_height) : 0.0f;
     light_.lamp = light_.lamp_is_on * lamp_;
 
     const glm::mat4 view = glm::lookAt(light_.to_sun, vec3(0), {0, 1, 0});

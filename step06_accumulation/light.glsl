@@ -50,8 +50,14 @@ float sunlight_at(vec3 position)
                    texture(shadow_map, place + vec3(-texel.x, -texel.y, 0.0)));
 }
 
-// How much of the sky is seen from here: on a surface that faces n falls w + dot(xyz, n) of the light that the
-// whole sky sends to one that faces up.
+// Size of the cells of sky_seen, m.
+float cell_of_sky()
+{
+    return light.grid_size / float(textureSize(sky_seen, 0).x);
+}
+
+// How much of the sky is seen from here: on a surface that faces n falls w + dot(xyz, n) of the light that
+// the whole sky sends to one that faces up.
 vec4 sky_seen_from(vec3 position)
 {
     if (light.has_occlusion == 0.0) return vec4(0.0, 0.5, 0.0, 0.5);
@@ -62,7 +68,7 @@ vec4 sky_seen_from(vec3 position)
 // as the sky is seen from here.
 vec3 ambient_light(vec3 normal, vec3 position)
 {
-    vec4 seen = sky_seen_from(position + 0.25 * normal);  // 0.25: out of the cell that holds the surface
+    vec4 seen = sky_seen_from(position + cell_of_sky() * normal);  // beside the cell that holds the surface
     float part = clamp(seen.w + dot(seen.xyz, normal), 0.0, 1.0);
     return mix(min(2.0 * seen.w, 1.0) * light.ground, light.sky, part);
 }
@@ -80,26 +86,33 @@ vec3 lit(vec3 colour, vec3 normal, vec3 position)
     return colour * result;
 }
 
-// The same for a white flake, which has no side: it scatters light from everywhere. It may lie on a surface.
-vec3 light_on_flake(vec3 position)
-{
-    vec3 to_lamp = light.lamp_position - position;
-    float squared = max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
-    vec3 up = vec3(0.0, 1.0, 0.0);
-    return sky_seen_from(position + 0.25 * up).w * (light.sky + light.ground) +
-           0.5 * (light.sun * sunlight_at(position + 0.03 * up) + light.lamp / squared);
-}
-
-// Colour of so much air that nothing shines through it, seen in this direction (length 1). Air full of snow
-// scatters most of the light forwards, so it glows around the sun (phase function: Henyey and Greenstein,
-// "Diffuse radiation in the Galaxy", 1941).
-vec3 air_light(vec3 direction)
+// How the sun makes snow in the air shine that is seen in this direction (length 1): it scatters most light
+// forwards, so it glows around the sun (phase function, times pi: Henyey and Greenstein, "Diffuse radiation
+// in the Galaxy", 1941).
+float glow(vec3 direction)
 {
     const float forwards = 0.7;  // mean cosine of the angle of scattering
     float squared = 1.0 + forwards * forwards - 2.0 * forwards * dot(direction, light.to_sun);
-    float phase = (1.0 - forwards * forwards) / (4.0 * squared * sqrt(squared));  // times pi
+    return (1.0 - forwards * forwards) / (4.0 * squared * sqrt(squared));
+}
+
+// What is seen of a white flake, which has no side: light from everywhere. It may lie on a surface.
+vec3 light_on_flake(vec3 position)
+{
+    const vec3 up = vec3(0.0, 1.0, 0.0);
+    vec3 result = sky_seen_from(position + cell_of_sky() * up).w * (light.sky + light.ground);
+    float part = 0.5 + glow(normalize(position - frame.eye));
+    result += part * sunlight_at(position + 0.03 * up) * light.sun;
+    vec3 to_lamp = light.lamp_position - position;
+    return result + 0.5 * light.lamp / max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
+}
+
+// Colour of so much air that nothing shines through it, seen in this direction (length 1).
+vec3 air_light(vec3 direction)
+{
+    const float sunlit = 0.25;  // part of the air that the sun reaches
     float sunset = max(dot(direction.xz, normalize(light.to_sun.xz)), 0.0);
-    return light.horizon + sunset * sunset * light.twilight + phase * light.sun;
+    return light.horizon + sunset * sunset * light.twilight + sunlit * glow(direction) * light.sun;
 }
 
 // Light that the air between the eye and this point sends here from the lamp. Every metre scatters
