@@ -3,7 +3,7 @@
 // drop that has come down becomes a splash.
 
 #include "common/snow.glsl"
-#include "step06_accumulation/light.glsl"
+#include "step06_accumulation/frame.glsl"
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 16) out;
@@ -18,13 +18,14 @@ in Flake
     vec3 velocity;
     float rest;
     uint index;
+    vec3 colour;
 }
 flake[];
 
 out vec2 place;         // -1 to 1 across the flake: turned with the crystal, or with its way
 flat out uint crystal;  // random bits that pick its picture
 flat out float width;   // pixels
-flat out vec4 look;     // its colour as the screen wants it, and its opacity
+flat out vec4 look;     // its colour, and its opacity
 
 // In pixels from the middle of the window.
 vec2 pixel_of(vec4 clip_place)
@@ -52,8 +53,7 @@ void draw(vec3 position, vec3 velocity, float exposure, float diameter, float op
     float pixels = 0.5 * float(frame.window_size.y) * frame.projection[1][1] * diameter / now.w;
     float drawn = max(pixels, least_width);
     float part = pixels / drawn * pixels / (drawn + length_of_way);  // of the rectangle that it covers
-    vec3 radiance = through_air(light_on_flake(position), position);
-    vec4 seen = vec4(tone_mapped(radiance), opacity * part * smoothstep(nearest, all_there, now.w));
+    opacity *= part * smoothstep(nearest, all_there, now.w);
     // As deep as its nearest point, or the ground would cut off its lower half.
     vec4 front = frame.projection * (here + vec4(0.0, 0.0, min(diameter, 0.5 * now.w), 0.0));
     for (int corner = 0; corner < 4; ++corner) {
@@ -63,7 +63,7 @@ void draw(vec3 position, vec3 velocity, float exposure, float diameter, float op
         place = weather.kind == rain_kind ? side : turn * (side.x * across + side.y * along);
         crystal = hash(flake[0].index);
         width = drawn;
-        look = seen;
+        look = vec4(flake[0].colour, opacity);
         gl_Position = now.w * vec4(2.0 * pixel / vec2(frame.window_size), front.z / front.w, 1.0);
         EmitVertex();
     }

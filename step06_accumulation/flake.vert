@@ -1,5 +1,7 @@
 #version 430 core
-// Hands a flake on to the geometry shader, as it is.
+// Hands a flake on to the geometry shader, as it is and in what light.
+
+#include "step06_accumulation/light.glsl"
 
 layout(location = 0) in vec3 position;  // m
 layout(location = 1) in float age;      // s
@@ -13,6 +15,7 @@ out Flake
     vec3 velocity;
     float rest;
     uint index;
+    vec3 colour;  // as the screen wants it
 }
 flake;
 
@@ -23,4 +26,5 @@ void main()
     flake.velocity = velocity;
     flake.rest = rest;
     flake.index = uint(gl_VertexID);
+    flake.colour = tone_mapped(through_air(light_on_flake(position), position));
 }
