@@ -31,9 +31,11 @@ void slide(ivec3 cell, ivec3 direction, float base, float slope)
     if (mass_in(target + up) > 0u) return;             // higher snow
     while (target.y > 0 && mass_in(target) == 0u && !in_scene(target - up)) target -= up;
     float height = float(cell.y) + float(mass_in(cell)) / float(full_cell);
-    // Where the ground falls away the snow holds together, a cell high.
-    float neighbour = max(float(target.y) + float(mass_in(target)) / float(full_cell), base + 1.0);
-    float excess = height - neighbour - slope;
+    float neighbour = float(target.y) + float(mass_in(target)) / float(full_cell);
+    // Where the ground falls away the snow holds together, and the edge is half as far as the neighbour.
+    const float cliff = 0.03;  // m
+    float highest = max(neighbour + slope, base + cliff / cell_size + 0.5 * slope);  // in cells
+    float excess = height - highest;
     if (excess <= 0.0) return;
     add_snow(target, take(cell, uint(0.25 * excess * float(full_cell))));
 }
