@@ -9,19 +9,20 @@ layout(r16f, binding = 0) uniform image3D snow_depth;  // m; -1: unknown, within
 
 const ivec3 up = ivec3(0, 1, 0);
 
-// One flake stands for many, and leaves a lump: drawn is a mean with the snow that lies around.
+// One flake stands for many, and leaves a lump: drawn is, turn after turn, a little of it and much of what
+// was drawn around. So lumps spread out over some cells, and what fell as a flake appears as a soft growth.
 float smoothed(float depth, ivec3 place)
 {
     float sum = 0.0, count = 0.0;
     for (int x = -1; x <= 1; ++x) {
         for (int z = -1; z <= 1; ++z) {
             float neighbour = imageLoad(snow_depth, place + ivec3(x, 0, z)).r;
-            if (neighbour <= 0.0) continue;  // bare, or a wall
-            sum += neighbour;
+            if (neighbour <= 0.0 && ivec2(x, z) != ivec2(0)) continue;  // bare, or a wall
+            sum += max(neighbour, 0.0);
             count += 1.0;
         }
     }
-    return depth > 0.0 && count > 0.0 ? mix(depth, sum / count, 0.7) : depth;
+    return depth > 0.0 ? mix(depth, sum / count, 0.9) : 0.0;
 }
 
 void main()
@@ -38,9 +39,7 @@ void main()
         float depth = float(sum) * (cell_size / float(full_cell));
         for (int y = max(cell.y - 2, lower + 1); y <= cell.y; ++y) {
             ivec3 place = ivec3(cell.x, y, cell.z);
-            // Half the way there each time: what fell as a flake appears as a soft growth.
-            float before = max(imageLoad(snow_depth, place).r, 0.0);
-            imageStore(snow_depth, place, vec4(0.5 * (before + smoothed(depth, place))));
+            imageStore(snow_depth, place, vec4(smoothed(depth, place)));
         }
         lower = cell.y;
     }
