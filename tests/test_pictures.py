@@ -21,18 +21,22 @@ def draw(programs, step, *arguments):
 
 
 def setting(step, variant):
-    """Enough snow to see each flake's shape, and frames enough for some to land."""
+    """Enough snow to see each flake's shape, and time enough for some to land."""
     if variant == "triangles":
-        return ["--particles", 100, "--frames", 100, "--weather", "hail"]
+        return [*steps(100), "--particles", 100, "--weather", "hail"]
     if step == "step06_accumulation":
-        return ["--particles", 5000, "--frames", 150, "--weather", "hail", "--voxels", 128,
+        return [*steps(150), "--particles", 5000, "--weather", "hail", "--voxels", 128,
                 "--set", "melt_time=0.3", "--set", "snowfall=3"]
     if step == "step05_collision":
-        return ["--particles", 8000, "--frames", 150, "--set", "speed_0=4", "--set", "speed_1=6"]
+        return [*steps(150), "--particles", 8000, "--set", "speed_0=4", "--set", "speed_1=6"]
     if step in ("step03_shader_points", "step04_transform_feedback"):  # large, to see their shape
-        return ["--particles", 800, "--frames", 500, "--set", "diameter_0=0.5",
-                "--set", "diameter_1=1"]
-    return ["--particles", 5000, "--frames", 500]
+        return [*steps(500), "--particles", 800, "--set", "diameter_0=0.5", "--set", "diameter_1=1"]
+    return [*steps(500), "--particles", 5000]
+
+
+def steps(count):
+    """So many steps of physics in five frames: only the last of them is looked at."""
+    return ["--timelapse", count // 5, "--frames", 5]
 
 
 def check_picture(request, programs, name, actual):
