@@ -27,7 +27,7 @@ STEP_VARIANTS = [(step, variant) for step in STEPS for variant in VARIANTS[step]
 WITH_SCENE = [step for step in STEPS if step >= "step05"]
 
 # A hung program must fail its test, not stop the suite. Nothing here takes a tenth of this.
-PATIENCE = 300  # s
+PATIENCE = float(os.environ.get("TEST_PATIENCE", 300))  # s
 
 # A window this small costs nothing to draw, and the physics does not depend on it.
 SMALL = ["--size", "64x64"]

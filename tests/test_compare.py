@@ -11,12 +11,11 @@ import time
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from conftest import PATIENCE, ROOT, STEPS
+
 COMPARE = ROOT / "common" / "compare.py"
-STEPS = sorted(folder.name for folder in ROOT.glob("step[0-9][0-9]_*"))
 EXPERIMENTS = ("loops hexagons window-size point-size release-rate groups flakes-fixed-scene "
                "scene-triangles stage-share spawn-rate parts").split()
-PATIENCE = 120  # s
 
 # Stands in for a program. Its frame times follow from its arguments, what it does from the file
 # NAME.does beside it; it writes down each start in the file "starts".
