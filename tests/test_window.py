@@ -1,7 +1,9 @@
 """The window as its user handles it: frames counted, resized, hidden, closed, held up."""
 
+import csv
 import ctypes
 import os
+import re
 import signal
 import subprocess
 import time
@@ -46,6 +48,14 @@ class OpenProgram:
 
     def press(self, key):
         self.xdotool("key", "--window", self.window, key)
+
+    def picture(self, folder):
+        """What S saves in the folder that the program runs in: a frame after all pressed before."""
+        path = folder / f"{self.step}.png"
+        path.unlink(missing_ok=True)
+        self.press("s")
+        wait_until(path.exists, "a picture")
+        return path.read_bytes()
 
     def press_close_button(self):
         """Sends the message that a window manager sends; none runs here, and xdotool cannot."""
@@ -217,13 +227,7 @@ def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     step = "step05_collision"
     program = open_program(step, *small(step), "--particles", 0)
     program.press("h")  # the panel, which would catch the mouse, is as large as this window
-    picture = tmp_path / f"{step}.png"
-
-    def view():
-        picture.unlink(missing_ok=True)
-        program.press("s")
-        wait_until(picture.exists, "a picture")
-        return picture.read_bytes()
+    view = lambda: program.picture(tmp_path)
 
     def changes_view(action, back):
         before = view()
@@ -240,6 +244,50 @@ def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     changes_view(lambda: program.press("t"), lambda: program.press("c"))  # off on the tour
     program.press("Escape")
     program.ends_well()
+
+
+def test_keys(open_program, tmp_path):
+    """H hides the panel and all it costs, space pauses, R begins anew."""
+    program = open_program("step01_cpu_points", *small("step01_cpu_points"), "--csv", "times.csv")
+    picture = lambda: program.picture(tmp_path)
+    wait_until(lambda: len({picture() for _ in range(2)}) == 2, "snow that moves")
+    program.press("space")
+    wait_until(lambda: len({picture() for _ in range(5)}) == 1, "a pause")
+    program.press("space")
+    wait_until(lambda: len({picture() for _ in range(2)}) == 2, "snow that moves again")
+    program.press("h")
+    picture()
+    program.press("r")  # what was measured before is forgotten
+    picture()
+    program.press("h")
+    picture()
+    program.press("Escape")
+    out, err = program.process.communicate(timeout=PATIENCE)
+    assert (program.process.returncode, err) == (0, "")
+    assert out.count("step01_cpu_points one-loop: ") == 2
+    with open(tmp_path / "times.csv", newline="") as file:
+        drawn = [row["panel_cpu_ms"] != "" for row in csv.DictReader(file)]
+    first = drawn.index(True)
+    assert not any(drawn[:first]) and all(drawn[first:]) and 0 < first
+
+
+def test_panel_changes_flakes_and_variant(open_program, tmp_path):
+    """Clicks down a column that crosses the slider of the flakes and the second variant's button."""
+    program = open_program("step02_vbo", "--size", "400x700", "--dump", "flakes.csv", *FOREVER)
+    for y in range(100, 400, 6):
+        program.xdotool("mousemove", "--window", program.window, 130, y)
+        for button in ("mousedown", "mouseup"):
+            program.picture(tmp_path)  # a frame in between, or the panel sees no click
+            program.xdotool(button, 1)
+    program.picture(tmp_path)
+    program.press("Escape")
+    out, err = program.process.communicate(timeout=PATIENCE)
+    assert (program.process.returncode, err) == (0, "")
+    runs = re.findall(r"^step02_vbo (\w+): .*, (\d+) flakes, ", out, re.MULTILINE)
+    assert runs[0] == ("subdata", "20000")
+    variants, counts = zip(*runs)
+    assert variants[-1] == "orphan" and counts[-1] != "20000"
+    assert len(Flakes(tmp_path / "flakes.csv").age) == int(counts[-1])
 
 
 @pytest.mark.parametrize("step", STEPS)
