@@ -69,7 +69,8 @@ quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release
 quietly cmake --build "$root/build" --parallel "$(nproc)"
 
 if [[ $target == compare ]]; then
-    command=(python3 "$root/common/compare.py" "$@")
+    # Debian's own, which has the packages just installed; the first in PATH may be another.
+    command=(/usr/bin/python3 "$root/common/compare.py" "$@")
 else
     command=("$root/build/$target" "$@")
 fi
