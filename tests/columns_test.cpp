@@ -94,6 +94,7 @@ protected:
     }
 
     Window window{options()};
+    const double slope = std::tan(glm::radians(window.options().weather.repose));  // the steepest
     SolidScene solid{window.options()};
     SnowCover cover{solid.grid};
     Columns columns{solid.grid};
@@ -112,7 +113,6 @@ TEST_F(SnowThatLies, BecomesAConeOfTheAngleOfRepose)
     const std::vector<GLuint> mass = cover.read();
     EXPECT_EQ(sum(mass), uint64_t(5 * 40) * full);
 
-    const double slope = std::tan(glm::radians(window.options().weather.repose));
     ivec3 top = middle;
     for (int x = 4; x < 36; ++x) {
         for (int z = 4; z < 36; ++z) {
@@ -154,7 +154,6 @@ TEST_F(SnowThatLies, SlidesOverTheEdgeOfATable)
 
     ivec3 edge = cell_at(4, 2, 3);
     while (solid.grid.solid(edge - ivec3(0, 0, 1))) --edge.z;
-    const double slope = std::tan(glm::radians(window.options().weather.repose));
     EXPECT_NEAR(height(mass, edge), 0.03 / solid.grid.cell_size + 0.5 * slope, 0.1)
         << "3 cm, and half a cell's worth of slope";
 }
