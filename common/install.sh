@@ -11,16 +11,15 @@ set -euo pipefail
 
 # The one list of packages. "a|b": either will do, for a package whose name depends on the release.
 declare -A packages=(
-    # A compiler, and the libraries of all six steps and their tests.
+    # A compiler, and the libraries of all six steps.
     [build]="g++ cmake make pkg-config|pkgconf freeglut3-dev|libglut-dev libglew-dev libglm-dev
-             libstb-dev libcli11-dev libtinyobjloader-dev libimgui-dev libgtest-dev
-             libbenchmark-dev"
+             libstb-dev libcli11-dev libtinyobjloader-dev libimgui-dev"
     # A display in memory, and OpenGL in software, for machines that have neither.
     [headless]="xvfb xauth libgl1-mesa-dri"
     # common/compare.py.
     [compare]="python3 python3-matplotlib python3-tqdm"
-    # The tests that look at the pictures and press the keys.
-    [test]="python3-pytest python3-numpy python3-pil xdotool"
+    # The tests that call the code, and those that look at the pictures and press the keys.
+    [test]="libgtest-dev libbenchmark-dev python3-pytest python3-numpy python3-pil xdotool"
 )
 
 # Messages go to stderr: what the programs print on stdout may be going into a file.

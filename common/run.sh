@@ -65,7 +65,7 @@ if [[ $target == compare ]]; then groups+=(compare); fi
 install_missing "${groups[@]}"
 
 say "Building in $root/build ..."
-quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release
+quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_TESTS=OFF
 quietly cmake --build "$root/build" --parallel "$(nproc)"
 
 if [[ $target == compare ]]; then

@@ -25,7 +25,8 @@ fi
 install_missing build headless compare test
 
 say "Building in $build ..."
-quietly cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_SANITIZE="$sanitize"
+quietly cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_TESTS=ON \
+    -DSNOWFALL_SANITIZE="$sanitize"
 quietly cmake --build "$build" --parallel "$(nproc)"
 
-exec ctest --test-dir "$build" --output-on-failure --parallel $(($(nproc) + 1)) "$@"
+exec ctest --test-dir "$build" --no-tests=error --output-on-failure --parallel $(($(nproc) + 1)) "$@"

@@ -14,20 +14,20 @@ using glm::vec3;
 namespace snow {
 
 // The walk's view of a grid.
-const VoxelGrid* walked_grid;
+VoxelGrid walked_grid;
 vec3 grid_origin;
 float cell_size;
 
 bool solid(ivec3 cell)
 {
-    return walked_grid->solid(cell);
+    return walked_grid.solid(cell);
 }
 
 #include "step05_collision/voxel_walk.glsl"
 
 void walk_in(const VoxelGrid& grid)
 {
-    walked_grid = &grid;
+    walked_grid = grid;
     grid_origin = grid.origin;
     cell_size = grid.cell_size;
 }
