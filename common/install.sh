@@ -16,7 +16,7 @@ declare -A packages=(
              libstb-dev libcli11-dev libtinyobjloader-dev libimgui-dev"
     # A display in memory, and OpenGL in software, for machines that have neither.
     [headless]="xvfb xauth libgl1-mesa-dri"
-    # common/compare.py.
+    # common/compare/compare.py.
     [compare]="python3 python3-matplotlib python3-tqdm"
     # The tests that call the code, and those that look at the pictures and press the keys.
     [test]="libgtest-dev libbenchmark-dev python3-pytest python3-numpy python3-pil xdotool"

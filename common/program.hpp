@@ -3,16 +3,15 @@
 
 #include <GL/glew.h>
 
-#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "common/bindings.glsl"
 #include "common/gl_object.hpp"
-#include "common/snow.hpp"
 
-struct Stage {
+struct Shader {
     GLenum type;       // GL_VERTEX_SHADER ...
     std::string file;  // relative to the source tree
 };
@@ -22,19 +21,24 @@ public:
     // Compiles and links. A line `#include "folder/file.glsl"` is replaced by that file. `varyings`
     // are the outputs that transform feedback captures, interleaved. Throws std::runtime_error with
     // file, line and the compiler's message.
-    explicit Program(const std::vector<Stage>& stages,
+    explicit Program(const std::vector<Shader>& shaders,
                      const std::vector<const char*>& varyings = {});
 
     void use() const { glUseProgram(id_); }
 
     // Set a uniform of this program, which must be in use. A name that stands nowhere in
     // its sources is reported once on stderr; one that does may have been dropped as unused.
-    void set(const char* name, int value);
-    void set(const char* name, unsigned value);
-    void set(const char* name, float value);
-    void set(const char* name, glm::ivec2 value);
-    void set(const char* name, glm::vec3 value);
-    void set(const char* name, const glm::mat4& value);
+    void set(const char* name, int value) { glUniform1i(location(name), value); }
+    void set(const char* name, unsigned value) { glUniform1ui(location(name), value); }
+    void set(const char* name, float value) { glUniform1f(location(name), value); }
+    void set(const char* name, glm::vec3 value) { glUniform3fv(location(name), 1, &value[0]); }
+    void set(const char* name, const glm::mat4& value)
+    {
+        glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+    }
+
+    // Binds a texture to a unit, of bindings.glsl, and tells the sampler of that name which it is.
+    void set_texture(const char* name, GLuint unit, GLenum target, GLuint texture);
 
 private:
     GLint location(const char* name);
@@ -43,7 +47,3 @@ private:
     std::string files_, sources_;                          // for messages
     std::map<std::string, GLint, std::less<>> locations_;  // of the uniforms set so far
 };
-
-// Makes `weather` the contents of every program's uniform block WeatherBlock. Call it again after a
-// change; keep the result as long as it is needed.
-GlObject upload_weather(const snow::Weather& weather);

@@ -70,7 +70,7 @@ quietly cmake --build "$root/build" --parallel "$(nproc)"
 
 if [[ $target == compare ]]; then
     # Debian's own, which has the packages just installed; the first in PATH may be another.
-    command=(/usr/bin/python3 "$root/common/compare.py" "$@")
+    command=(/usr/bin/python3 "$root/common/compare/compare.py" "$@")
 else
     command=("$root/build/$target" "$@")
 fi

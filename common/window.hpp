@@ -1,115 +1,92 @@
-// The window and its frame loop: `while (window.begin_frame()) { ... }` runs once a frame until the
-// window is closed, Escape is pressed or the frames asked for are drawn.
+// The window and its frame loop: `while (window.begin_frame()) { ... window.swap_buffers(); }` runs
+// once a frame until the window is closed, Escape is pressed or the frames asked for are drawn.
 #pragma once
 
-#include <chrono>
-#include <functional>
-#include <glm/glm.hpp>
+#include <map>
 #include <memory>
 #include <string>
+#include <typeindex>
+#include <vector>
 
 #include "common/camera.hpp"
-#include "common/options.hpp"
-#include "common/panel.hpp"
-#include "common/timer.hpp"
+#include "common/lesson.hpp"
+
+class Harness;     // what watches a run from outside: common/harness/harness.hpp
+class FrameTimer;  // common/harness/timer.hpp
+struct CommandLine;
+
+// A stage of the frame: from its declaration to the end of its block the time is taken.
+class StageTimer {
+public:
+    StageTimer(FrameTimer* timer, const char* name);  // null: nobody wants to know
+    ~StageTimer();
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+private:
+    FrameTimer* timer_;
+};
 
 class Window {
 public:
     // Opens it with an OpenGL context and reports both in one line. Throws std::runtime_error if
     // there is no display, or OpenGL lacks the version or an extension that the step needs.
-    explicit Window(Options options);
+    explicit Window(CommandLine command);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Handles events, shows the frame before, and clears for the next. False: the loop is over.
+    // Opens the next frame. False: the loop is over.
     bool begin_frame();
 
-    // After the loop: has the user asked to begin anew? The options may then have changed.
-    bool again();
+    // Shows what was drawn, under the panel, after a look at what the user has done meanwhile.
+    void swap_buffers();
 
     // Times the block it is declared in as a stage of this frame.
-    FrameTimer::Stage stage(const char* name) { return timer_.stage(name); }
+    StageTimer stage(const char* name);
 
-    // Physics steps that this frame is to make: one in a reproducible run; else as many time steps
-    // as the clock has moved on, at most 8 (a longer hitch slows the snow down, it never skips).
-    // All of it times --timelapse.
-    int steps() const { return steps_; }
-
+    // The time steps that this frame is to make: as many as the clock has moved on, at most 8; one
+    // in a run that is to be repeatable. All of it times --timelapse.
+    int ticks() const { return ticks_; }
     double frame_seconds() const { return frame_seconds_; }  // since the frame before
 
-    // A line of the step's own for the panel, until it gives another.
-    void note(const std::string& line) { controls_.note = line; }
-
-    // Has a slider moved since the frame before?
-    bool weather_changed() const { return weather_changed_; }
-
     const Options& options() const { return options_; }
-    glm::ivec2 size() const { return size_; }  // pixels, at least 1x1
+    glm::ivec2 size() const { return size_; }  // pixels, at least 1x1; stays during a frame
     glm::mat4 view() const { return camera_.view(); }
     glm::mat4 projection() const { return camera_.projection(size_); }
     glm::vec3 eye() const { return camera_.eye(); }
 
-private:
-    using Clock = std::chrono::steady_clock;
+    // A line of the step's own for the panel, until it gives another.
+    void note(const std::string& line);
 
-    void check_gl() const;
-    void announce();
-    void finish_frame(bool last);
-    void report();
-    bool measuring() const { return options_.benchmark || !options_.csv.empty(); }
-    int steps_of_this_frame();
-    void fly();
-    void show_frame_time();
+    // Writes the flakes as they are to the file of --dump, if there is one.
+    void dump(const std::vector<snow::Particle>& flakes) const;
+
+    // The T that all runs in this window share, made of the window when it is first asked for.
+    template <typename T>
+    const T& shared()
+    {
+        std::shared_ptr<void>& made = shared_[typeid(T)];
+        if (made == nullptr) made = std::make_shared<T>(*this);
+        return *static_cast<const T*>(made.get());
+    }
+
+private:
+    friend int run_lesson(int argc, char** argv, const Lesson& lesson);
+    void run();
     static void on_key(unsigned char key, int x, int y);
     static void on_button(int button, int state, int x, int y);
     static void on_motion(int x, int y);
     static void on_reshape(int width, int height);
 
-    Options options_;
+    std::unique_ptr<Harness> harness_;
+    const Options& options_;
     Camera camera_;
-    FrameTimer timer_;
-    std::unique_ptr<Panel> panel_;
-    Panel::Controls controls_;
-    bool show_panel_;
-    glm::ivec2 size_;
+    int ticks_ = 0;
+    double frame_seconds_ = 0;
+    glm::ivec2 size_, next_size_;
     glm::ivec2 mouse_{};
     bool dragging_ = false;
-    bool closing_ = false, save_screenshot_ = false, weather_changed_ = false;
-    bool touring_;           // on the flight that the key T and --tour begin
-    double tour_time_ = 0;   // s since it began
-    bool software_ = false;  // no graphics card behind this OpenGL
-    bool frame_open_ = false, window_gone_ = false;
-    unsigned drawn_ = 0;  // frames, warm-up included
-    int steps_ = 0;
-    double frame_seconds_ = 0;
-    double owed_ = 0;  // s of physics the clock is ahead
-    Clock::time_point last_frame_, last_swap_, last_title_;
-    unsigned drawn_at_last_title_ = 0;
+    bool closing_ = false, gone_ = false;  // the window is to be closed; it is closed
+    std::map<std::type_index, std::shared_ptr<void>> shared_;
 };
-
-// The whole of a step's program: takes the command line, opens the window and calls `program`.
-// Returns the exit status: 0 done, 1 cannot run, after one line on stderr that says why. (A wrong
-// command line ends the program with 2.)
-int run_program(int argc, char** argv, const Step& step,
-                const std::function<void(Window&)>& program);
-
-// A program that calls `run`, from the first flake to the last, until the user has had enough.
-inline int run_step(int argc, char** argv, const Step& step, void (*run)(Window&))
-{
-    return run_program(argc, argv, step, [run](Window& window) {
-        do run(window);
-        while (window.again());
-    });
-}
-
-// The same, for a step with a World: what it makes of the options once, and every run shares.
-template <typename World>
-int run_step(int argc, char** argv, const Step& step, void (*run)(Window&, const World&))
-{
-    return run_program(argc, argv, step, [run](Window& window) {
-        const World world(window.options());
-        do run(window, world);
-        while (window.again());
-    });
-}

@@ -1,51 +1,45 @@
 // Step 2: same as step 1, but the flakes travel to the GPU in one piece: one upload into a vertex
 // buffer, one draw call for each size of point. The cost moves from 20,000 function calls to one
-// copy. New calls: glBindBuffer, glBufferData, glBufferSubData, glVertexPointer, glDrawArrays (and
-// glMapBufferRange).
+// copy. New calls: glBindBuffer, glBufferData, glBufferSubData, glVertexPointer, glDrawArrays.
 
 #include <GL/glew.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "common/options.hpp"
-#include "common/output.hpp"
+#include "common/gl_object.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/update.hpp"
-#include "step02_vbo/stream_buffer.hpp"
 
 using namespace snow;
 
-const Step this_step = {
-    .name = "step02_vbo",
-    .idea = "the snow of step 1, uploaded to a vertex buffer and drawn with one call",
-    .least_gl = 1.5,
-    .variants = {"subdata", "orphan", "persistent"},
-    .fixed_points = true,
-};
-
-// From the first flake to the last frame, or until the panel asks for other flakes.
 void run(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    if (options.variant == "persistent" && !GLEW_ARB_buffer_storage) {
-        throw std::runtime_error("--variant persistent needs OpenGL 4.4: try orphan");
-    }
+    const bool orphan = options.variant == "orphan";
 
     std::vector<Particle> flakes = make_flakes(weather);
-    uint step = 0;
-    StreamBuffer buffer(options.variant, flakes.size());
+    uint tick = 0;  // time steps made so far
+    const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
+    const GlObject buffer = make_buffer();
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
 
     glClearColor(0.05f, 0.10f, 0.10f, 1.0f);
     while (window.begin_frame()) {
-        GLint first_flake = 0;
+        glViewport(0, 0, window.size().x, window.size().y);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         {
             const auto stage = window.stage("update");
-            for (int n = 0; n < window.steps(); ++n) update_in_one_loop(flakes, step++, weather);
+            for (int n = 0; n < window.ticks(); ++n) update_in_one_loop(flakes, tick++, weather);
         }
         {
             const auto stage = window.stage("upload");
-            first_flake = buffer.upload(flakes);
+            glBindBuffer(GL_ARRAY_BUFFER, buffer);
+            // The draw of the frame before may still be reading: the driver copies, or waits.
+            // Unless the buffer gets new storage first, and leaves the old to the GPU: an orphan.
+            if (orphan) glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+            glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.data());
         }
         {
             const auto stage = window.stage("draw");
@@ -61,15 +55,23 @@ void run(Window& window)
             for (uint group = 0; group < options.groups; ++group) {
                 const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
                 glPointSize(options.point_size * (of_first_emitter(begin, weather) ? 1.0f : 2.0f));
-                glDrawArrays(GL_POINTS, first_flake + GLint(begin), GLsizei(end - begin));
+                glDrawArrays(GL_POINTS, GLint(begin), GLsizei(end - begin));
             }
-            buffer.drawn();
         }
+        window.swap_buffers();
     }
-    dump_flakes(options.dump, flakes);
+    window.dump(flakes);
 }
+
+void run_persistent(Window& window);  // persistent.cpp
 
 int main(int argc, char** argv)
 {
-    return run_step(argc, argv, this_step, run);
+    return run_lesson(
+        argc, argv,
+        {.name = "step02_vbo",
+         .idea = "the snow of step 1, uploaded to a vertex buffer and drawn with one call",
+         .minimum_gl = 1.5,
+         .variants = {{"subdata", run}, {"orphan", run}, {"persistent", run_persistent}},
+         .fixed_points = true});
 }

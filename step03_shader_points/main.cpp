@@ -1,61 +1,54 @@
 // Step 3: same as step 2, but shaders draw the flakes: a vertex shader makes each as large as it
 // looks from its distance, a fragment shader gives the square point its shape. The cost of beauty
-// is paid per pixel, on the GPU. New calls: glUseProgram, glVertexAttribPointer,
-// glEnable(GL_PROGRAM_POINT_SIZE), glBlendFunc, glTexImage2D.
+// is paid per pixel, on the GPU. New calls: glUseProgram, glUniform (in Program),
+// glVertexAttribPointer, glBindBufferBase(GL_UNIFORM_BUFFER), glEnable(GL_PROGRAM_POINT_SIZE),
+// glBlendFunc.
 
 #include <GL/glew.h>
 
-#include "common/options.hpp"
-#include "common/output.hpp"
 #include "common/program.hpp"
-#include "common/texture.hpp"
+#include "common/uniform_block.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/update.hpp"
-#include "step02_vbo/stream_buffer.hpp"
 #include "step03_shader_points/particle_layout.hpp"
 
 using namespace snow;
 
-const Step this_step = {
-    .name = "step03_shader_points",
-    .idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance",
-    .least_gl = 3.3,
-    .variants = {"disc", "texture"},
-};
-
-// From the first flake to the last frame, or until the panel asks for other flakes.
 void run(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
 
     std::vector<Particle> flakes = make_flakes(weather);
-    uint step = 0;
-    StreamBuffer buffer("subdata", flakes.size());
-
-    GlObject weather_block = upload_weather(weather);
-    Program flake(
-        {{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
-         {GL_FRAGMENT_SHADER, "step03_shader_points/flake_" + options.variant + ".frag"}});
-    const GlObject crystals = load_texture("step03_shader_points/snowflakes.png");
+    uint tick = 0;  // time steps made so far
+    const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
+    const GlObject buffer = make_buffer();
     const GlObject vao = make_vertex_array();
     glBindVertexArray(vao);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
     describe_particles();
+
+    UniformBlock<Weather> weather_block;
+    Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
+                   {GL_FRAGMENT_SHADER, "step03_shader_points/flake.frag"}});
 
     glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
     glEnable(GL_POINT_SPRITE);        // and gl_PointCoord with it
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(0.10f, 0.08f, 0.14f, 1.0f);
     while (window.begin_frame()) {
-        if (window.weather_changed()) weather_block = upload_weather(weather);
+        glViewport(0, 0, window.size().x, window.size().y);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        weather_block.update(WEATHER_BLOCK, weather);
         {
             const auto stage = window.stage("update");
-            for (int n = 0; n < window.steps(); ++n) update_in_one_loop(flakes, step++, weather);
+            for (int n = 0; n < window.ticks(); ++n) update_in_one_loop(flakes, tick++, weather);
         }
         {
             const auto stage = window.stage("upload");
-            buffer.upload(flakes);
+            glBindBuffer(GL_ARRAY_BUFFER, buffer);
+            glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.data());
         }
         {
             const auto stage = window.stage("draw");
@@ -68,11 +61,19 @@ void run(Window& window)
             glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
             glDisable(GL_BLEND);
         }
+        window.swap_buffers();
     }
-    dump_flakes(options.dump, flakes);
+    window.dump(flakes);
 }
+
+void run_texture(Window& window);  // texture.cpp
 
 int main(int argc, char** argv)
 {
-    return run_step(argc, argv, this_step, run);
+    return run_lesson(
+        argc, argv,
+        {.name = "step03_shader_points",
+         .idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance",
+         .minimum_gl = 3.3,
+         .variants = {{"disc", run}, {"texture", run_texture}}});
 }

@@ -1,8 +1,7 @@
 // What a vertex shader has to do to draw flake gl_VertexID as a point sprite.
 
-#include "common/snow.glsl"
+#include "common/weather_block.glsl"
 
-layout(std140) uniform WeatherBlock { Weather weather; };
 uniform mat4 view;
 uniform mat4 projection;
 uniform float window_height;  // pixels

@@ -1,9 +1,8 @@
 // The flake an update shader reads, and the four outputs, in the layout of a Particle, that transform
 // feedback captures.
 
-#include "common/snow.glsl"
+#include "common/weather_block.glsl"
 
-layout(std140) uniform WeatherBlock { Weather weather; };
 uniform uint step_number;
 
 layout(location = 0) in vec3 old_position;

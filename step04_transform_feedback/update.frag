@@ -1,9 +1,8 @@
 #version 330 core
 // One step of one flake as a pixel: two textures hold the old state, two receive the new one.
 
-#include "common/snow.glsl"
+#include "common/weather_block.glsl"
 
-layout(std140) uniform WeatherBlock { Weather weather; };
 uniform uint step_number;
 uniform sampler2D position_age;   // xyz position, w age
 uniform sampler2D velocity_rest;  // xyz velocity, w rest

@@ -1,9 +1,11 @@
 // Counts what becomes of the flakes, in the order of the fields of Ledger in ledger.hpp.
 
-layout(binding = 0, offset = 0) uniform atomic_uint released;
-layout(binding = 0, offset = 4) uniform atomic_uint deposited;
-layout(binding = 0, offset = 8) uniform atomic_uint melted;
-layout(binding = 0, offset = 12) uniform atomic_uint left_world;
+#include "common/bindings.glsl"
+
+layout(binding = LEDGER_BUFFER, offset = 0) uniform atomic_uint released;
+layout(binding = LEDGER_BUFFER, offset = 4) uniform atomic_uint deposited;
+layout(binding = LEDGER_BUFFER, offset = 8) uniform atomic_uint melted;
+layout(binding = LEDGER_BUFFER, offset = 12) uniform atomic_uint left_world;
 
 void count_release() { atomicCounterIncrement(released); }
 void count_deposit() { atomicCounterIncrement(deposited); }

@@ -5,59 +5,33 @@
 
 #include <GL/glew.h>
 
-#include "common/options.hpp"
-#include "common/output.hpp"
 #include "common/program.hpp"
+#include "common/uniform_block.hpp"
 #include "common/window.hpp"
-#include "step03_shader_points/particle_layout.hpp"
+#include "step04_transform_feedback/ping_pong.hpp"
 #include "step05_collision/ledger.hpp"
-#include "step05_collision/scene_collider.hpp"
 #include "step05_collision/solid_scene.hpp"
 
 using namespace snow;
 
-const Step this_step = {
-    .name = "step05_collision",
-    .idea = "the snow of step 4, landing on a scene that the GPU knows as voxels",
-    .least_gl = 3.3,
-    .variants = {"voxels", "triangles"},
-    .has_scene = true,
-    .extensions = {"GL_ARB_shader_atomic_counters"},
-};
-
-// From the first flake to the last frame, or until the panel asks for other flakes.
-void run(Window& window, const SolidScene& solid)
+void run(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    const bool triangles = options.variant == "triangles";
 
     std::vector<Particle> flakes = make_flakes(weather);
-    uint step = 0;
-    // Ping-pong: an update reads one buffer and writes the other; it may not do both to the same.
-    GlObject buffers[2], vaos[2];
-    for (int i = 0; i < 2; ++i) {
-        buffers[i] = make_buffer();
-        vaos[i] = make_vertex_array();
-        glBindVertexArray(vaos[i]);
-        glBindBuffer(GL_ARRAY_BUFFER, buffers[i]);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(flakes.size() * sizeof(Particle)), flakes.data(),
-                     GL_DYNAMIC_COPY);
-        describe_particles();
-    }
-    int now = 0;  // the buffer that holds the flakes as they are
-
-    const TriangleTexture triangle_texture(triangles ? solid.scene : Scene{});
+    uint tick = 0;  // time steps made so far
+    PingPong particles(flakes);
+    const SolidScene& solid = window.shared<SolidScene>();
     const Ledger ledger;
 
-    GlObject weather_block = upload_weather(weather);
-    Program update({{GL_VERTEX_SHADER, triangles ? "step05_collision/update_triangles.vert"
-                                                 : "step05_collision/update.vert"}},
+    UniformBlock<Weather> weather_block;
+    Program update({{GL_VERTEX_SHADER, "step05_collision/update.vert"}},
                    {"position", "age", "velocity", "rest"});
     Program surface({{GL_VERTEX_SHADER, "step05_collision/scene.vert"},
                      {GL_FRAGMENT_SHADER, "step05_collision/scene.frag"}});
     Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
-                   {GL_FRAGMENT_SHADER, "step03_shader_points/flake_disc.frag"}});
+                   {GL_FRAGMENT_SHADER, "step03_shader_points/flake.frag"}});
 
     const vec3 sky(0.30f, 0.34f, 0.42f);
     glEnable(GL_DEPTH_TEST);
@@ -66,25 +40,24 @@ void run(Window& window, const SolidScene& solid)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(sky.r, sky.g, sky.b, 1.0f);
     while (window.begin_frame()) {
-        if (window.weather_changed()) weather_block = upload_weather(weather);
+        glViewport(0, 0, window.size().x, window.size().y);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        weather_block.update(WEATHER_BLOCK, weather);
         {
             const auto stage = window.stage("update");
             update.use();
-            if (triangles) {
-                triangle_texture.set(update);
-            } else {
-                set_voxels(update, solid.grid, solid.voxels);
-            }
-            for (int n = 0; n < window.steps(); ++n, ++step) {
-                update.set("step_number", step);
+            set_voxels(update, solid);
+            ledger.bind();
+            for (int n = 0; n < window.ticks(); ++n, ++tick) {
+                update.set("step_number", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
-                glBindVertexArray(vaos[now]);
-                glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers[1 - now]);
+                glBindVertexArray(particles.vao());
+                glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, particles.target());
                 glBeginTransformFeedback(GL_POINTS);
                 glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
                 glEndTransformFeedback();
                 glDisable(GL_RASTERIZER_DISCARD);
-                now = 1 - now;
+                particles.swap();
             }
         }
         {
@@ -102,22 +75,30 @@ void run(Window& window, const SolidScene& solid)
             flake.set("view", window.view());
             flake.set("projection", window.projection());
             flake.set("window_height", float(window.size().y));
-            glBindVertexArray(vaos[now]);
+            glBindVertexArray(particles.vao());
             glEnable(GL_BLEND);
             glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
             glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
             glDepthMask(GL_TRUE);
             glDisable(GL_BLEND);
         }
+        window.swap_buffers();
     }
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[now]);
-    glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(flakes.size() * sizeof(Particle)),
-                       flakes.data());
-    dump_flakes(options.dump, flakes);
+    particles.read(flakes);
+    window.dump(flakes);
     ledger.print(flakes);
 }
 
+void run_triangles(Window& window);  // triangles.cpp
+
 int main(int argc, char** argv)
 {
-    return run_step(argc, argv, this_step, run);
+    return run_lesson(
+        argc, argv,
+        {.name = "step05_collision",
+         .idea = "the snow of step 4, landing on a scene that the GPU knows as voxels",
+         .minimum_gl = 3.3,
+         .variants = {{"voxels", run}, {"triangles", run_triangles}},
+         .has_scene = true,
+         .extensions = {"GL_ARB_shader_atomic_counters"}});
 }

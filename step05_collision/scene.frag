@@ -1,7 +1,7 @@
 #version 330 core
 // A surface of the scene in its own colour.
 
-#include "step05_collision/light.glsl"
+#include "step05_collision/shading.glsl"
 
 in vec3 world_position;
 in vec3 world_normal;

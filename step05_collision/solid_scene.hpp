@@ -1,18 +1,22 @@
 // The scene, in every form that the steps need: read once, however often the snow begins anew.
 #pragma once
 
-#include "common/options.hpp"
-#include "common/scene.hpp"
+#include "common/program.hpp"
+#include "common/scene/scene.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
+class Window;
+
 struct SolidScene {
-    explicit SolidScene(const Options& options)
-        : scene(load_scene(options.scene, options.up)), mesh(scene.vertices),
-          grid(voxelise(scene, options.voxels)), voxels(upload_voxels(grid))
-    {}
+    explicit SolidScene(const Window& window);  // from the file and with the voxels of its options
 
     Scene scene;
     SceneMesh mesh;   // to be drawn
     VoxelGrid grid;   // to be landed on
     GlObject voxels;  // the grid, on the GPU
 };
+
+// Gives the program in use the grid's place in the world (grid.glsl), and with it its voxels
+// (voxels.glsl).
+void set_grid(Program& program, const VoxelGrid& grid);
+void set_voxels(Program& program, const SolidScene& solid);

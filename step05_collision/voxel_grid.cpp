@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/progress.hpp"
+#include "common/harness/progress.hpp"
 #include "step05_collision/triangle_box.hpp"
 
 namespace {

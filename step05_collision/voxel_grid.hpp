@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/gl_object.hpp"
-#include "common/scene.hpp"
+#include "common/scene/scene.hpp"
 
 struct VoxelGrid {
     int resolution;               // voxels along each edge, a power of two, at least 32

@@ -1,9 +1,8 @@
 // The scene's voxel grid: one bit each, 32 along x in a texel.
 
+#include "step05_collision/grid.glsl"
+
 uniform usampler3D voxels;
-uniform vec3 grid_origin;  // m, the corner of least x, y and z
-uniform float cell_size;   // m
-uniform int resolution;    // voxels along each edge
 
 bool in_grid(ivec3 cell)
 {

@@ -1,77 +1,11 @@
 #version 430 core
-// One step of one flake, as in step 5, but what has lain for its time becomes part of the snow cover.
+// The variant "cells": the air moves as in every step before.
 
-#include "step04_transform_feedback/flake_state.glsl"
-#include "step05_collision/ledger.glsl"
-#include "step06_accumulation/snow_cover.glsl"
-#include "step05_collision/voxel_walk.glsl"
-#include "step06_accumulation/wind_field.glsl"
+#include "common/weather_block.glsl"
 
-uniform float flake_mass;  // units for each cubic metre of the cube around a flake
-
-// What a flake weighs, in units: the more the larger it is.
-uint mass_of(uint index)
+vec3 air_at(vec3 position)
 {
-    float d = diameter(index, weather);
-    return uint(min(flake_mass * d * d * d + 0.5, 1.0e8));  // 36 times as much still fits into a word
+    return weather.wind;
 }
 
-// The cell in which snow that comes down into the column of `cell` stays: the first above what is solid.
-// Looks no further than two cells up or down; if there is none, the result lies outside the grid.
-ivec3 resting_cell(ivec3 cell)
-{
-    const ivec3 up = ivec3(0, 1, 0);
-    for (int climb = 0; climb < 2 && solid(cell); ++climb) cell += up;
-    for (int fall = 0; fall < 2 && !solid(cell - up); ++fall) cell -= up;
-    return solid(cell) || !solid(cell - up) ? ivec3(-1) : cell;
-}
-
-// Adds a flake's mass to the grid, spread like a bell over the 5 x 5 columns around (binomial weights): whole
-// flakes in single columns would make a chequerboard. Returns false if there is nothing here to lie on.
-bool deposit(vec3 position, uint flake)
-{
-    const uint weight[5] = uint[](1u, 4u, 6u, 4u, 1u);  // of 16, in x and in z
-    ivec3 centre = cell_of(position);
-    for (int climb = 0; climb < 256 && solid(centre); ++climb) centre.y += 1;  // it has snowed on the flake
-    if (!in_grid(centre) || !solid(centre - ivec3(0, 1, 0))) return false;
-    uint left = flake;
-    for (int x = -2; x <= 2; ++x) {
-        for (int z = -2; z <= 2; ++z) {
-            if (x == 0 && z == 0) continue;
-            // By way of the column halfway there: snow gets past no wall, however thin.
-            ivec3 halfway = ivec3(x / 2, 0, z / 2);
-            ivec3 cell = resting_cell(centre + halfway);
-            if (in_grid(cell)) cell = resting_cell(cell + ivec3(x, 0, z) - halfway);
-            if (!in_grid(cell)) continue;  // beyond an edge, or a wall
-            uint part = flake * (weight[x + 2] * weight[z + 2]) / 256u;
-            add_snow(cell, part);
-            left -= part;
-        }
-    }
-    add_snow(centre, left);  // what is the middle's, and what the others did not take
-    count_mass(deposited_mass, flake);
-    return true;
-}
-
-void main()
-{
-    uint index = uint(gl_VertexID);
-    Particle p = settle(move(load_flake(), weather), weather);
-    if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
-    vec3 air = wind_at(p.position, step_number, weather);
-    p = accelerate(p, air, index, step_number, weather);
-    if (gone(p, index, weather)) {
-        bool has_melted = melt_left(p, weather) < 0.0;
-        if (old_age >= 0.0) {
-            uint amount = mass_of(index);
-            if (has_melted && amount > 0u && deposit(p.position, amount)) {
-                count_deposit();
-            } else {
-                count_end(has_melted);
-            }
-        }
-        p = born(index, step_number, weather);
-        count_release();
-    }
-    store_flake(p);
-}
+#include "step06_accumulation/cover/update.glsl"

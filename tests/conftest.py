@@ -20,7 +20,7 @@ VARIANTS = {
     "step03_shader_points": ["disc", "texture"],
     "step04_transform_feedback": ["feedback", "texture"],
     "step05_collision": ["voxels", "triangles"],
-    "step06_accumulation": ["cells"],
+    "step06_accumulation": ["winter", "cells"],
 }
 STEPS = list(VARIANTS)
 STEP_VARIANTS = [(step, variant) for step in STEPS for variant in VARIANTS[step]]

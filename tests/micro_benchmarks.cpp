@@ -10,9 +10,9 @@
 #include <sstream>
 #include <vector>
 
-#include "common/files.hpp"
-#include "common/scene.hpp"
-#include "common/snow.hpp"
+#include "common/harness/files.hpp"
+#include "common/scene/scene.hpp"
+#include "common/weather.hpp"
 #include "step01_cpu_points/update.hpp"
 #include "step05_collision/voxel_grid.hpp"
 

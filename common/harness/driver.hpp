@@ -1,0 +1,24 @@
+// What OpenGL this is, and whether it will do.
+#pragma once
+
+#include <string>
+
+#include "common/lesson.hpp"
+
+// Ends the program with one line where GLUT finds no display, or none that it can use.
+void report_glut_errors();
+
+// Loads OpenGL's functions into GLEW. Throws std::runtime_error if there are none.
+void load_opengl();
+
+// Throws std::runtime_error if the OpenGL of the current context lacks what the step needs.
+void check_opengl(const Lesson& lesson);
+
+// Prints every message of the driver on stderr from now on. Throws std::runtime_error if it has
+// none.
+void print_debug_messages();
+
+std::string renderer_name();
+
+// Is there no graphics card behind this OpenGL?
+bool renders_in_software();

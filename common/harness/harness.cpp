@@ -1,0 +1,163 @@
+#include "common/harness/harness.hpp"
+
+#include <GL/glew.h>
+#include <GL/freeglut.h>
+
+#include <backends/imgui_impl_glut.h>
+#include <cctype>
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
+#include "common/harness/benchmark.hpp"
+#include "common/harness/driver.hpp"
+#include "common/harness/recorder.hpp"
+#include "common/harness/tour.hpp"
+#include "common/harness/vsync.hpp"
+#include "common/window.hpp"
+
+Harness::Harness(CommandLine line) : command(std::move(line)), show_panel_(!command.reproducible())
+{
+    controls.touring = command.tour;
+}
+
+void Harness::begin_run()
+{
+    controls.restart = false;
+    drawn_ = drawn_at_last_title_ = 0;
+    timer.clear();
+    software_ = renders_in_software();
+    std::cout << command.lesson.name << " " << command.variant << ": " << renderer_name()
+              << ", OpenGL " << glGetString(GL_VERSION) << ", " << command.weather.particles
+              << " flakes, " << command.size.x << "x" << command.size.y << ", vsync "
+              << vsync_state() << std::endl;
+    if (software_) {
+        std::cout
+            << "warning: OpenGL runs in software here: times say nothing about a graphics card"
+            << std::endl;
+    }
+    last_frame_ = last_swap_ = last_title_ = Clock::now();
+}
+
+bool Harness::enough() const
+{
+    return command.frames && drawn_ >= *command.frames + command.warmup;
+}
+
+void Harness::begin_frame(Camera& camera, int& ticks, double& seconds)
+{
+    const Clock::time_point now = Clock::now();
+    seconds = std::chrono::duration<double>(now - last_frame_).count();
+    last_frame_ = now;
+    ticks = pacing_.ticks(command, seconds, controls);
+    if (controls.touring) {
+        const Pose pose = tour(float(tour_time_));
+        camera.look(pose.eye, pose.target);
+        // In a reproducible run a frame is a 60th of a second, so that a recording can be repeated.
+        if (drawn_ >= command.warmup) tour_time_ += command.reproducible() ? 1 / 60.0 : seconds;
+    }
+    const Timing timing = measuring()   ? timing_of_frame(command, drawn_, software_)
+                          : show_panel_ ? Timing::queries
+                                        : Timing::off;
+    if (timing != Timing::off) timer.begin_frame(timing == Timing::synchronised);
+    ++drawn_;
+}
+
+void Harness::finish_frame(glm::ivec2 size, bool last)
+{
+    const unsigned number = drawn_ > command.warmup ? drawn_ - command.warmup : 0;
+    record_frame(command, number, last, std::exchange(controls.save_picture, false),
+                 [size] { return read_back_buffer(size); });
+    if (show_panel_) {
+        const StageTimer stage(timer.open() ? &timer : nullptr, "panel");
+        if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
+        panel_->draw(size, command, controls, timer.frames(), renderer_name());
+    }
+}
+
+void Harness::frame_shown()
+{
+    const Clock::time_point now = Clock::now();
+    timer.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count());
+    if (!measuring()) timer.keep(300);
+    last_swap_ = now;
+    show_frame_time();
+}
+
+void Harness::report(glm::ivec2 size)
+{
+    if (!measuring()) return;
+    timer.finish();
+    if (command.benchmark) {
+        print_summary(timer.frames());
+        const unsigned asked = *command.frames + command.warmup;
+        if (drawn_ < asked) {
+            std::cout << "benchmark: cut short after " << drawn_ << " of " << asked
+                      << " frames, warm-up included" << std::endl;
+        }
+    }
+    if (!command.csv.empty()) {
+        write_csv(command.csv, command, size, renderer_name(), timer.frames());
+    }
+}
+
+void Harness::show_frame_time()
+{
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_title_).count();
+    if (seconds < 0.5) return;
+    const unsigned frames = drawn_ - drawn_at_last_title_;
+    char title[128];
+    std::snprintf(title, sizeof title, "%s %s   %.2f ms a frame, %.0f fps",
+                  command.lesson.name.c_str(), command.variant.c_str(), 1000 * seconds / frames,
+                  frames / seconds);
+    glutSetWindowTitle(title);
+    last_title_ = now;
+    drawn_at_last_title_ = drawn_;
+}
+
+bool Harness::panel_takes_key(unsigned char key, int x, int y)
+{
+    if (!show_panel_ || panel_ == nullptr) return false;
+    ImGui_ImplGLUT_KeyboardFunc(key, x, y);
+    return panel_->wants_keys();  // a number is being typed into a slider
+}
+
+bool Harness::panel_takes_button(int button, int state, int x, int y)
+{
+    if (!show_panel_ || panel_ == nullptr) return false;
+    ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    return panel_->wants_mouse();
+}
+
+void Harness::panel_sees_mouse(int x, int y)
+{
+    if (panel_ != nullptr) ImGui_ImplGLUT_MotionFunc(x, y);
+}
+
+void Harness::on_key(unsigned char key)
+{
+    switch (std::tolower(key)) {
+    case 'h':
+        show_panel_ = !show_panel_;
+        break;
+    case ' ':
+        controls.paused = !controls.paused;
+        break;
+    case 'r':
+        controls.restart = true;
+        break;
+    case 's':
+        controls.save_picture = true;
+        break;
+    case 't':
+        controls.touring = !controls.touring;
+        break;
+    default:
+        for (const snow::Parameter& parameter : command.parameters()) {
+            if (parameter.key != 0 && std::toupper(key) == parameter.key)
+                *parameter.value = *parameter.value != 0 ? 0.0f : 1.0f;
+        }
+        break;
+    }
+}

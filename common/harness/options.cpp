@@ -1,0 +1,232 @@
+#include "common/harness/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+#include "common/harness/files.hpp"
+
+namespace {
+
+constexpr int largest_window = 16384;
+
+std::string parameters_help(CommandLine command)
+{
+    command.weather = snow::make_weather("snow", 0, 0);
+    std::ostringstream text;
+    text << "For --set NAME=VALUE (value here: in snow):\n";
+    for (const snow::Parameter& parameter : command.parameters()) {
+        text << "  " << parameter.name << std::string(14 - std::string(parameter.name).size(), ' ')
+             << *parameter.value << " " << parameter.unit << ", " << parameter.meaning << "\n";
+    }
+    return text.str();
+}
+
+// Changes the one parameter that `setting`, "name=value", names. Throws CLI::ValidationError.
+void apply_setting(const std::string& setting, CommandLine& command)
+{
+    const size_t equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    for (const snow::Parameter& parameter : command.parameters()) {
+        if (name != parameter.name) continue;
+        const std::string text = equals == std::string::npos ? "" : setting.substr(equals + 1);
+        char* end = nullptr;
+        const float value = std::strtof(text.c_str(), &end);
+        // Written this way round, the comparison turns NaN away too.
+        if (text.empty() || *end != '\0' ||
+            !(value >= parameter.minimum && value <= parameter.maximum)) {
+            std::ostringstream range;
+            range << name << " takes " << parameter.minimum << " to " << parameter.maximum << " "
+                  << parameter.unit << ", not '" << setting << "'";
+            throw CLI::ValidationError("--set", range.str());
+        }
+        *parameter.value = value;
+        return;
+    }
+    throw CLI::ValidationError("--set", "no parameter is called '" + name + "', see --help");
+}
+
+bool has_parameter(CommandLine& command, std::string_view name)
+{
+    const std::vector<snow::Parameter> all = command.parameters();
+    return std::any_of(all.begin(), all.end(),
+                       [name](const snow::Parameter& one) { return one.name == name; });
+}
+
+glm::ivec2 parse_size(const std::string& text)
+{
+    glm::ivec2 size{};
+    char x = 0, rest = 0;
+    std::istringstream in(text);
+    const bool well_formed = in >> size.x >> x >> size.y && x == 'x' && !(in >> rest);
+    if (!well_formed || size.x < 1 || size.y < 1 || size.x > largest_window ||
+        size.y > largest_window) {
+        throw CLI::ValidationError("--size",
+                                   "takes WIDTHxHEIGHT of 1 to 16384 pixels, not '" + text + "'");
+    }
+    return size;
+}
+
+void check_voxels(int voxels)
+{
+    const bool fits = voxels >= 32 && voxels <= 1024;
+    if (fits && std::has_single_bit(unsigned(voxels))) return;
+    throw CLI::ValidationError("--voxels", "takes a power of two from 32 (one word of bits) to "
+                                           "1024 (128 MiB), not " +
+                                               std::to_string(voxels));
+}
+
+// AZIMUTH,ELEVATION,DISTANCE: degrees, degrees and m, within what the mouse can do.
+void place_camera(const std::string& text, Camera& camera)
+{
+    float azimuth = 0, elevation = 0, distance = 0;
+    char comma[2] = {}, rest = 0;
+    std::istringstream in(text);
+    const bool well_formed = in >> azimuth >> comma[0] >> elevation >> comma[1] >> distance &&
+                             !(in >> rest) && comma[0] == ',' && comma[1] == ',';
+    if (!well_formed || std::abs(azimuth) > 360 || elevation < -2 || elevation > 85 ||
+        distance < 0.5f || distance > 80) {
+        throw CLI::ValidationError("--camera",
+                                   "takes AZIMUTH,ELEVATION,DISTANCE of -360 to 360 degrees, -2 to "
+                                   "85 degrees and 0.5 to 80 m, not '" +
+                                       text + "'");
+    }
+    camera.azimuth = glm::radians(azimuth);
+    camera.elevation = glm::radians(elevation);
+    camera.distance = distance;
+}
+
+}  // namespace
+
+std::string keys_help(const std::vector<snow::Parameter>& parameters)
+{
+    std::string help = "Mouse: drag to orbit, wheel to zoom. C: camera back. T: tour. H: panel.\n"
+                       "Space: pause. R: restart. S: screenshot. Escape: quit.";
+    for (const snow::Parameter& parameter : parameters) {
+        if (parameter.key == 0) continue;
+        help += std::string(" ") + parameter.key + ": " + parameter.name + ".";
+    }
+    return help;
+}
+
+const Variant& CommandLine::chosen() const
+{
+    return *std::find_if(lesson.variants.begin(), lesson.variants.end(),
+                         [this](const Variant& one) { return one.name == variant; });
+}
+
+std::vector<snow::Parameter> CommandLine::parameters()
+{
+    std::vector<snow::Parameter> all = snow::weather_parameters(weather);
+    if (chosen().parameters == nullptr) return all;
+    const std::vector<snow::Parameter> own = chosen().parameters();
+    all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
+{
+    CommandLine command;
+    command.lesson = lesson;
+    command.variant = lesson.variants.front().name;
+    std::vector<std::string> variants;
+    for (const Variant& variant : lesson.variants) variants.push_back(variant.name);
+    unsigned particles = 20000, seed = 1;
+    std::string preset = "snow", up = "y", size = "1280x720", camera;
+    std::vector<std::string> settings;
+
+    CLI::App app(lesson.name + ": " + lesson.idea);
+    app.add_option("--particles", particles, "flakes in the pool (20000)")
+        ->check(CLI::Range(0u, snow::max_particles));
+    app.add_option("--variant", command.variant, "way of doing it (" + command.variant + ")")
+        ->check(CLI::IsMember(variants));
+    app.add_option("--weather", preset, "kind of weather (snow)")
+        ->check(CLI::IsMember({"snow", "rain", "hail"}));
+    app.add_option("--set", settings,
+                   "NAME=VALUE, a number of the weather or of the step (list below)")
+        ->allow_extra_args(false);
+    if (lesson.has_scene) {
+        app.add_option("--scene", command.scene,
+                       "OBJ file to snow on, or none (the built-in courtyard)");
+        app.add_option("--up", up, "axis that points up in that file (y)")
+            ->check(CLI::IsMember({"y", "z"}));
+        app.add_option("--voxels", command.voxels, "voxels along the scene's longest axis (256)");
+    }
+    if (lesson.fixed_points) {
+        app.add_option("--groups", command.groups, "pieces in which the pool is drawn (2)")
+            ->check(CLI::Range(1u, 1000000u));
+        app.add_option("--point-size", command.point_size,
+                       "pixels of emitter 0's points, half of emitter 1's (1)")
+            ->check(CLI::Range(0.1, 64.0));
+    }
+    if (has_parameter(command, "hold_fps")) {
+        app.add_option_function<std::string>(
+            "--hold-fps",
+            [&settings](const std::string& fps) { settings.push_back("hold_fps=" + fps); },
+            "frame rate to hold by moving fewer flakes");
+    }
+    app.add_option("--seed", seed, "another seed, another snowfall (1)");
+    app.add_option("--size", size, "window, WIDTHxHEIGHT in pixels (1280x720)");
+    app.add_option("--camera", camera,
+                   "AZIMUTH,ELEVATION,DISTANCE from the middle, degrees and m (41,15,17.5)");
+    app.add_flag("--tour", command.tour, "fly the camera through the courtyard, round and round");
+    CLI::Option* vsync = app.add_flag("--vsync", command.vsync,
+                                      "wait for the display (off, so that times can be compared)");
+    app.add_option("--frames", command.frames, "stop after so many frames (run until closed)");
+    app.add_option("--warmup", command.warmup, "frames to run before the first that counts (0)");
+    app.add_option("--timelapse", command.timelapse, "how many times as fast it snows (1)")
+        ->check(CLI::Range(1u, 1000u));
+    app.add_flag(
+           "--benchmark", command.benchmark,
+           "measure: panel hidden, 720 frames of warm-up (until all snow is out), 300 counted")
+        ->excludes(vsync);
+    app.add_option("--csv", command.csv, "write the times of every frame to this file");
+    app.add_flag("--realtime", command.realtime,
+                 "follow the clock even with --frames, --dump or --screenshot (one step a frame)");
+    app.add_option("--record", command.record, "write every frame to a PNG file in this folder");
+    app.add_option("--screenshot", command.screenshot, "write the last frame to this PNG file");
+    app.add_option("--dump", command.dump,
+                   "write all flakes to this CSV file after the last frame");
+    if (lesson.has_cover) {
+        app.add_option("--dump-cover", command.dump_cover,
+                       "write the mass of lying snow, cell by cell, to this CSV file");
+    }
+    app.add_flag("--debug", command.debug, "OpenGL debug context, messages to stderr");
+    app.footer([&command] {
+        return parameters_help(command) + "\n" + keys_help(command.parameters());
+    });
+
+    try {
+        app.parse(argc, argv);
+        command.size = parse_size(size);
+        check_voxels(command.voxels);
+        if (!camera.empty()) place_camera(camera, command.camera);
+        command.weather = snow::make_weather(preset, particles, seed);
+        for (const std::string& setting : settings) apply_setting(setting, command);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        std::exit(0);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << lesson.name << ": " << error.what() << " (try --help)\n";
+        std::exit(2);
+    }
+    command.up = up.front();
+    if (lesson.has_scene && command.scene.empty()) {
+        command.scene = find_file("common/assets/courtyard.obj");
+    }
+    for (const auto& output : {command.screenshot, command.dump, command.dump_cover, command.csv}) {
+        if (!output.empty()) check_writable(output);
+    }
+    if (!command.record.empty()) {
+        std::error_code error;  // is shown by what follows
+        std::filesystem::create_directories(command.record, error);
+        check_writable(command.record / "000001.png");
+    }
+    if (command.benchmark && app.count("--warmup") == 0) command.warmup = 720;
+    // What is to be written after the last frame needs a last frame.
+    if (!command.frames && command.reproducible()) command.frames = 300;
+    return command;
+}

@@ -1,0 +1,179 @@
+#include "common/harness/panel.hpp"
+
+#include <GL/glew.h>
+
+#include <algorithm>
+#include <backends/imgui_impl_glut.h>
+#include <backends/imgui_impl_opengl2.h>
+#include <fstream>
+#include <imgui.h>
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+#include "common/harness/benchmark.hpp"
+
+namespace {
+
+// Memory that the process has in use, MiB; 0 where the system does not tell.
+double process_memory()
+{
+#ifdef _WIN32
+    return 0;
+#else
+    long pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return double(resident) * double(sysconf(_SC_PAGESIZE)) / (1 << 20);
+#endif
+}
+
+// Free memory of the graphics card, MiB; 0 where the driver does not tell.
+int free_video_memory()
+{
+    GLint kibibytes[4] = {};
+    if (GLEW_NVX_gpu_memory_info) {
+        glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes);
+    } else if (GLEW_ATI_meminfo) {
+        glGetIntegerv(GL_VBO_FREE_MEMORY_ATI, kibibytes);
+    }
+    return kibibytes[0] / 1024;
+}
+
+void draw_times(const std::deque<FrameTime>& frames)
+{
+    std::vector<double> times;
+    std::vector<float> plot;
+    for (const FrameTime& frame : frames) {
+        times.push_back(frame.frame_ms);
+        plot.push_back(float(frame.frame_ms));
+    }
+    const double median = quantile(times, 0.5), p95 = quantile(times, 0.95);
+    ImGui::Text("%.2f ms a frame (%.0f fps), p95 %.2f ms", median, 1000 / std::max(median, 1e-3),
+                p95);
+    ImGui::PlotLines("##frames", plot.data(), int(plot.size()), 0, nullptr, 0,
+                     float(std::max(2 * median, p95)),
+                     ImVec2(ImGui::GetContentRegionAvail().x, 60));
+    // The last frame whose GPU times have all arrived.
+    const auto whole = std::find_if(frames.rbegin(), frames.rend(), [](const FrameTime& frame) {
+        return !frame.stages.empty() && std::all_of(frame.stages.begin(), frame.stages.end(),
+                                                    [](const StageTime& s) { return s.gpu_ms; });
+    });
+    const FrameTime* frame = whole != frames.rend() ? &*whole
+                             : frames.empty()       ? nullptr
+                                                    : &frames.back();
+    if (frame == nullptr) return;
+    for (const StageTime& stage : frame->stages) {
+        const double gpu = stage.gpu_ms.value_or(0);
+        char label[64];
+        std::snprintf(label, sizeof label, "%s  cpu %.2f  gpu %.2f ms", stage.name.c_str(),
+                      stage.cpu_ms, gpu);
+        ImGui::ProgressBar(float(std::max(stage.cpu_ms, gpu) / std::max(median, 1e-3)),
+                           ImVec2(-1, 0), label);
+    }
+}
+
+// A slider, or a check box for a switch.
+void draw_parameter(const snow::Parameter& parameter)
+{
+    if (parameter.is_switch()) {
+        bool on = *parameter.value != 0;
+        ImGui::Checkbox(parameter.name, &on);
+        *parameter.value = on ? 1.0f : 0.0f;
+    } else {
+        char format[32];
+        std::snprintf(format, sizeof format, "%%.3g %s", parameter.unit);
+        ImGui::SliderFloat(parameter.name, parameter.value, parameter.minimum, parameter.maximum,
+                           format, ImGuiSliderFlags_Logarithmic);
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning);
+}
+
+}  // namespace
+
+Panel::Panel()
+{
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // no file is left behind
+    ImGui_ImplGLUT_Init();
+    ImGui_ImplOpenGL2_Init();
+}
+
+Panel::~Panel()
+{
+    ImGui_ImplOpenGL2_Shutdown();
+    ImGui_ImplGLUT_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Panel::draw(glm::ivec2 size, CommandLine& command, Controls& controls,
+                 const std::deque<FrameTime>& frames, const std::string& renderer)
+{
+    ImGui::GetIO().DisplaySize = ImVec2(float(size.x), float(size.y));
+    ImGui_ImplOpenGL2_NewFrame();
+    const int frame = ImGui::GetFrameCount();
+    ImGui_ImplGLUT_NewFrame();
+    if (ImGui::GetFrameCount() == frame) ImGui::NewFrame();  // up to 1.89.5 the line above did it
+    lay_out_panel(command, controls, frames, renderer);
+    ImGui::Render();
+
+    // The panel is drawn with fixed functions: nothing of the step's own may be bound.
+    if (GLEW_VERSION_3_0) glBindVertexArray(0);
+    if (GLEW_VERSION_2_0) glUseProgram(0);
+    if (GLEW_VERSION_1_3) glActiveTexture(GL_TEXTURE0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+}
+
+void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<FrameTime>& frames,
+                   const std::string& renderer)
+{
+    ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(360, 0), ImGuiCond_FirstUseEver);
+    ImGui::Begin(command.lesson.name.c_str());
+    ImGui::TextWrapped("%s", renderer.c_str());
+    draw_times(frames);
+    ImGui::Text("memory %.0f MiB", process_memory());
+    if (const int free = free_video_memory()) {
+        ImGui::SameLine();
+        ImGui::Text("video memory free %d MiB", free);
+    }
+    if (!controls.note.empty()) ImGui::TextUnformatted(controls.note.c_str());
+
+    ImGui::Separator();
+    static int flakes = 0;  // as the slider stands; taken over when it is let go
+    if (!ImGui::IsAnyItemActive()) flakes = int(command.weather.particles);
+    ImGui::SliderInt("flakes", &flakes, 0, 2'000'000, "%d", ImGuiSliderFlags_Logarithmic);
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        command.weather.particles = unsigned(std::clamp(flakes, 0, int(snow::max_particles)));
+        controls.restart = true;
+    }
+    const std::vector<Variant>& variants = command.lesson.variants;
+    for (const Variant& variant : variants) {
+        if (ImGui::RadioButton(variant.name.c_str(), variant.name == command.variant)) {
+            command.variant = variant.name;
+            controls.restart = true;
+        }
+        if (&variant != &variants.back()) ImGui::SameLine();
+    }
+    const std::vector<snow::Parameter> parameters = command.parameters();
+    for (const snow::Parameter& parameter : parameters) draw_parameter(parameter);
+
+    ImGui::Separator();
+    ImGui::Checkbox("pause", &controls.paused);
+    ImGui::SameLine();
+    controls.single_step |= ImGui::Button("single step");
+    ImGui::SameLine();
+    controls.restart |= ImGui::Button("restart");
+    ImGui::TextDisabled("%s", keys_help(parameters).c_str());
+    ImGui::End();
+}
+
+bool Panel::wants_mouse() const
+{
+    return ImGui::GetIO().WantCaptureMouse;
+}
+bool Panel::wants_keys() const
+{
+    return ImGui::GetIO().WantTextInput;
+}

@@ -1,0 +1,54 @@
+// What a step declares of itself, and what its user has asked of it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/weather.hpp"
+
+class Window;
+
+// A way of doing it, chosen with --variant.
+struct Variant {
+    std::string name;
+    // Runs it from the first flake to the last frame, or until the user begins anew.
+    void (*run)(Window& window);
+    // The numbers that only this variant has, for --set and the panel; null: none.
+    std::vector<snow::Parameter> (*parameters)() = nullptr;
+};
+
+struct Lesson {
+    std::string name;                          // that of its folder
+    std::string idea;                          // one sentence for --help
+    double minimum_gl;                         // OpenGL version, 3.3
+    std::vector<Variant> variants;             // the first is the default
+    bool fixed_points = false;                 // takes --groups and --point-size
+    bool has_scene = false;                    // takes --scene, --voxels and --up
+    bool has_cover = false;                    // takes --dump-cover
+    std::vector<const char*> extensions = {};  // that OpenGL must have besides its version
+};
+
+// What a variant may want to know of the command line.
+struct Options {
+    std::string variant;
+    snow::Weather weather{};      // with particles, seed and every --set already in it
+    unsigned timelapse = 1;       // time steps in place of one
+    unsigned groups = 2;          // pieces in which the pool is drawn
+    float point_size = 1;         // pixels, of emitter 0's flakes; emitter 1's are twice as wide
+    std::filesystem::path scene;  // where has_scene: the courtyard unless given
+    char up = 'y';                // the axis that points up in the scene file
+    int voxels = 256;             // along the longest axis of the scene
+    std::filesystem::path dump_cover;
+
+    // The first flake of a group; of group `groups`, one past the last of all.
+    unsigned group_begin(unsigned group) const
+    {
+        return unsigned(uint64_t(weather.particles) * group / groups);
+    }
+};
+
+// The whole of a step's program: takes the command line, opens the window and runs the variant
+// asked for until the user has had enough. Returns the exit status: 0 done, 1 cannot run, after one
+// line on stderr that says why. (A wrong command line ends the program with 2.)
+int run_lesson(int argc, char** argv, const Lesson& lesson);

@@ -1,0 +1,36 @@
+// The weather in which it snows: its presets, and the numbers in it that a user may change.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/snow.hpp"
+
+namespace snow {
+
+// Largest pool a program accepts: 1.6 GB of flakes, and an index that a GLsizei holds.
+constexpr uint max_particles = 50'000'000;
+
+// The weather called "snow", "rain" or "hail", for a pool of that many flakes.
+Weather make_weather(const std::string& preset, uint particles, uint seed);
+
+// Every flake of the pool, waiting to be born.
+std::vector<Particle> make_flakes(const Weather& weather);
+
+// A number that the user may change: `--set name=value`, or its slider in the panel.
+struct Parameter {
+    const char* name;
+    const char* unit;
+    float minimum, maximum;
+    const char* meaning;
+    float* value;
+    char key = 0;  // that turns a switch on and off
+
+    bool is_switch() const { return std::string_view(unit) == "on/off"; }
+};
+
+// Those of `weather`.
+std::vector<Parameter> weather_parameters(Weather& weather);
+
+}  // namespace snow

@@ -1,0 +1,60 @@
+// The variant "hexagons": same as main.cpp, but every flake is a crystal, twelve calls instead of
+// one. New calls: glBegin(GL_LINES).
+
+#include <GL/glew.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "common/window.hpp"
+#include "step01_cpu_points/update.hpp"
+
+using namespace snow;
+
+// A flake as a crystal: six needles from its centre in the plane that faces the camera.
+static void draw_crystal(const Particle& flake, float radius, vec3 right, vec3 up)
+{
+    for (int needle = 0; needle < 6; ++needle) {
+        const float angle = radians(60.0f * float(needle));
+        const vec3 tip = flake.position + radius * (cos(angle) * right + sin(angle) * up);
+        glVertex3fv(value_ptr(flake.position));
+        glVertex3fv(value_ptr(tip));
+    }
+}
+
+void run_hexagons(Window& window)
+{
+    const Options& options = window.options();
+    const Weather& weather = options.weather;
+
+    std::vector<Particle> flakes = make_flakes(weather);
+    uint tick = 0;  // time steps made so far
+
+    glClearColor(0.05f, 0.07f, 0.12f, 1.0f);
+    while (window.begin_frame()) {
+        glViewport(0, 0, window.size().x, window.size().y);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        {
+            const auto stage = window.stage("update");
+            for (int n = 0; n < window.ticks(); ++n) update_in_one_loop(flakes, tick++, weather);
+        }
+        {
+            const auto stage = window.stage("draw");
+            glMatrixMode(GL_PROJECTION);
+            glLoadMatrixf(value_ptr(window.projection()));
+            glMatrixMode(GL_MODELVIEW);
+            glLoadMatrixf(value_ptr(window.view()));
+            const mat3 camera = transpose(mat3(window.view()));  // its right, up, back, world space
+            // In pieces, as in main.cpp, though a crystal's size is its flake's.
+            for (uint group = 0; group < options.groups; ++group) {
+                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
+                glBegin(GL_LINES);
+                for (uint i = begin; i < end; ++i) {
+                    draw_crystal(flakes[i], 0.5f * diameter(i, weather), camera[0], camera[1]);
+                }
+                glEnd();
+            }
+        }
+        window.swap_buffers();
+    }
+    window.dump(flakes);
+}

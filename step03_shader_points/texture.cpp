@@ -1,0 +1,70 @@
+// The variant "texture": same as main.cpp, but the shape of a flake comes from a picture of
+// crystals. New calls: glTexImage2D and glGenerateMipmap (in load_texture.cpp), glActiveTexture,
+// glBindTexture.
+
+#include <GL/glew.h>
+
+#include "common/program.hpp"
+#include "common/uniform_block.hpp"
+#include "common/window.hpp"
+#include "step01_cpu_points/update.hpp"
+#include "step03_shader_points/load_texture.hpp"
+#include "step03_shader_points/particle_layout.hpp"
+
+using namespace snow;
+
+void run_texture(Window& window)
+{
+    const Options& options = window.options();
+    const Weather& weather = options.weather;
+
+    std::vector<Particle> flakes = make_flakes(weather);
+    uint tick = 0;  // time steps made so far
+    const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
+    const GlObject buffer = make_buffer();
+    const GlObject vao = make_vertex_array();
+    glBindVertexArray(vao);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+    describe_particles();
+
+    UniformBlock<Weather> weather_block;
+    Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
+                   {GL_FRAGMENT_SHADER, "step03_shader_points/crystal.frag"}});
+    const GlObject crystals = load_texture("step03_shader_points/snowflakes.png");
+
+    glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
+    glEnable(GL_POINT_SPRITE);        // and gl_PointCoord with it
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glClearColor(0.10f, 0.08f, 0.14f, 1.0f);
+    while (window.begin_frame()) {
+        glViewport(0, 0, window.size().x, window.size().y);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        weather_block.update(WEATHER_BLOCK, weather);
+        {
+            const auto stage = window.stage("update");
+            for (int n = 0; n < window.ticks(); ++n) update_in_one_loop(flakes, tick++, weather);
+        }
+        {
+            const auto stage = window.stage("upload");
+            glBindBuffer(GL_ARRAY_BUFFER, buffer);
+            glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.data());
+        }
+        {
+            const auto stage = window.stage("draw");
+            flake.use();
+            flake.set("view", window.view());
+            flake.set("projection", window.projection());
+            flake.set("window_height", float(window.size().y));
+            flake.set("crystals", CRYSTALS_UNIT);
+            glActiveTexture(GL_TEXTURE0 + CRYSTALS_UNIT);
+            glBindTexture(GL_TEXTURE_2D, crystals);
+            glBindVertexArray(vao);
+            glEnable(GL_BLEND);
+            glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
+            glDisable(GL_BLEND);
+        }
+        window.swap_buffers();
+    }
+    window.dump(flakes);
+}

@@ -1,0 +1,21 @@
+#include "step05_collision/solid_scene.hpp"
+
+#include "common/window.hpp"
+
+SolidScene::SolidScene(const Window& window)
+    : scene(load_scene(window.options().scene, window.options().up)), mesh(scene.vertices),
+      grid(voxelise(scene, window.options().voxels)), voxels(upload_voxels(grid))
+{}
+
+void set_grid(Program& program, const VoxelGrid& grid)
+{
+    program.set("grid_origin", grid.origin);
+    program.set("cell_size", grid.cell_size);
+    program.set("resolution", grid.resolution);
+}
+
+void set_voxels(Program& program, const SolidScene& solid)
+{
+    set_grid(program, solid.grid);
+    program.set_texture("voxels", VOXELS_UNIT, GL_TEXTURE_3D, solid.voxels);
+}

@@ -1,0 +1,30 @@
+#include "step05_collision/triangle_texture.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+TriangleTexture::TriangleTexture(const Scene& scene)
+    : count_(int(scene.vertices.size() / 3)), buffer_(make_buffer()), texture_(make_texture())
+{
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
+    if (3 * count_ > largest) {
+        throw std::runtime_error("--variant triangles: this card's buffer textures hold " +
+                                 std::to_string(largest / 3) + " triangles, not " +
+                                 std::to_string(count_));
+    }
+    std::vector<glm::vec4> corners;
+    for (const Vertex& vertex : scene.vertices) corners.emplace_back(vertex.position, 1);
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+    glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(),
+                 GL_STATIC_DRAW);
+    glBindTexture(GL_TEXTURE_BUFFER, texture_);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_);
+}
+
+void TriangleTexture::set(Program& program) const
+{
+    program.set("triangle_count", count_);
+    program.set_texture("triangles", TRIANGLES_UNIT, GL_TEXTURE_BUFFER, texture_);
+}

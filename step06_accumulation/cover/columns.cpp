@@ -1,0 +1,90 @@
+#include "step06_accumulation/cover/columns.hpp"
+
+namespace {
+
+constexpr unsigned turns = 64;  // time steps in a round, in which every column has its turn once
+
+}  // namespace
+
+Columns::Columns(const SolidScene& solid, const SnowCover& cover)
+    : solid_(solid), cover_(cover),
+      settle_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/settle.comp"}}),
+      melt_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/melt.comp"}}),
+      measure_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/depth.comp"}}),
+      depth_(make_texture())
+{
+    clear_depth();
+}
+
+std::vector<snow::Parameter> Columns::parameters()
+{
+    return {
+        {"settling", "on/off", 0, 1, "snow steeper than its angle of repose slides", &settling},
+        {"melting", "on/off", 0, 1, "snow melts where it is warmer than 0 degrees", &melting},
+    };
+}
+
+void Columns::settle(unsigned tick, int ticks)
+{
+    dispatch(settle_, tick, ticks);
+}
+
+void Columns::melt(unsigned tick, int ticks, const snow::Weather& weather)
+{
+    if (weather.temperature <= 0) return;
+    melt_.use();
+    melt_.set("seconds", turns * weather.time_step);
+    dispatch(melt_, tick, ticks);
+}
+
+void Columns::measure(unsigned tick, int ticks)
+{
+    glBindImageTexture(DEPTH_IMAGE, depth_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R16F);
+    dispatch(measure_, tick, ticks);
+}
+
+void Columns::set_depth(Program& program) const
+{
+    set_grid(program, solid_.grid);
+    program.set_texture("snow_depth", DEPTH_UNIT, GL_TEXTURE_3D, depth_);
+}
+
+// No snow anywhere; and none can ever be within walls, or where there is nothing to lie on.
+void Columns::clear_depth()
+{
+    constexpr GLbyte unknown = -127;  // as a texture: -1
+    const int n = solid_.grid.resolution;
+    std::vector<GLbyte> depth(size_t(n) * size_t(n) * size_t(n), unknown);
+    for (int z = 0; z < n; ++z) {
+        for (int x = 0; x < n; ++x) {
+            bool floor = false;
+            for (int y = 0; y < n; ++y) {
+                const bool wall = solid_.grid.solid({x, y, z});
+                floor |= wall;
+                if (floor && !wall)
+                    depth[(size_t(z) * size_t(n) + size_t(y)) * size_t(n) + size_t(x)] = 0;
+            }
+        }
+    }
+    glBindTexture(GL_TEXTURE_3D, depth_);
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, n, n, n, 0, GL_RED, GL_BYTE, depth.data());
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+    }
+}
+
+void Columns::dispatch(Program& program, unsigned tick, int ticks)
+{
+    const int n = solid_.grid.resolution;
+    const unsigned count = unsigned(n * n) / turns;
+    program.use();
+    set_voxels(program, solid_);
+    cover_.bind();
+    for (unsigned turn = tick - unsigned(ticks); turn != tick; ++turn) {
+        program.set("first_column", turn % turns * count);
+        glDispatchCompute((count + 63) / 64, 1, 1);  // 64: local_size_x of the shaders
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                        GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    }
+}

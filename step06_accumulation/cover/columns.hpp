@@ -1,0 +1,39 @@
+// What happens to the snow that lies, on the GPU, column by column: it slides, it melts, and its
+// depth is measured.
+#pragma once
+
+#include <GL/glew.h>
+
+#include <vector>
+
+#include "common/program.hpp"
+#include "common/weather.hpp"
+#include "step05_collision/solid_scene.hpp"
+#include "step06_accumulation/cover/snow_cover.hpp"
+
+class Columns {
+public:
+    Columns(const SolidScene& solid, const SnowCover& cover);
+
+    // The switches "settling" and "melting".
+    static std::vector<snow::Parameter> parameters();
+    inline static float settling = 1, melting = 1;
+
+    // What the last `ticks` time steps, up to number `tick`, have to do; in each a part of the
+    // columns has its turn.
+    void settle(unsigned tick, int ticks);
+    void melt(unsigned tick, int ticks, const snow::Weather& weather);
+    void measure(unsigned tick, int ticks);
+
+    // Gives the program in use the depth of the snow, as snow_depth.glsl looks for it.
+    void set_depth(Program& program) const;
+
+private:
+    void clear_depth();
+    void dispatch(Program& program, unsigned tick, int ticks);
+
+    const SolidScene& solid_;
+    const SnowCover& cover_;
+    Program settle_, melt_, measure_;
+    GlObject depth_;
+};

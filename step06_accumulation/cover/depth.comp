@@ -1,0 +1,46 @@
+#version 430 core
+// Notes how deep the snow lies, in a 3D texture that the surface is lifted by: on every surface, in a cell
+// of the scene, in one below and in one above, so that a neighbour a little higher or lower finds it at
+// its own height.
+
+#include "step06_accumulation/cover/column.glsl"
+
+layout(r16f, binding = DEPTH_IMAGE) uniform image3D snow_depth;  // m; -1: unknown, within walls and outside
+
+const ivec3 up = ivec3(0, 1, 0);
+
+// One flake stands for many, and leaves a lump: drawn is, turn after turn, a little of it and much of what
+// was drawn around. So lumps spread out over some cells, and what fell as a flake appears as a soft growth.
+float smoothed(float depth, ivec3 place)
+{
+    float sum = 0.0, count = 0.0;
+    for (int x = -1; x <= 1; ++x) {
+        for (int z = -1; z <= 1; ++z) {
+            float neighbour = imageLoad(snow_depth, place + ivec3(x, 0, z)).r;
+            if (neighbour <= 0.0 && ivec2(x, z) != ivec2(0)) continue;  // bare, or a wall
+            sum += max(neighbour, 0.0);
+            count += 1.0;
+        }
+    }
+    return depth > 0.0 ? mix(depth, sum / count, 0.9) : 0.0;
+}
+
+void main()
+{
+    ivec3 cell = foot_of_column();
+    int lower = -1;  // height of the first cell above the surface below, where there is one
+    for (;;) {
+        // Up to the first cell above a surface.
+        while (cell.y < resolution && !in_scene(cell)) cell += up;
+        while (cell.y < resolution && in_scene(cell)) cell += up;
+        if (cell.y == resolution) break;
+        uint sum = 0u;
+        for (ivec3 above = cell; mass_in(above) > 0u; above += up) sum += mass_in(above);
+        float depth = float(sum) * (cell_size / float(full_cell));
+        for (int y = max(cell.y - 2, lower + 1); y <= cell.y; ++y) {
+            ivec3 place = ivec3(cell.x, y, cell.z);
+            imageStore(snow_depth, place, vec4(smoothed(depth, place)));
+        }
+        lower = cell.y;
+    }
+}

@@ -1,0 +1,21 @@
+#version 430 core
+// Snow melts where it lies open to the air, the faster the warmer it is.
+
+#include "common/weather_block.glsl"
+#include "step06_accumulation/cover/column.glsl"
+
+uniform float seconds;  // since this column's last turn
+
+void main()
+{
+    const float rate = 0.01 / 60.0;  // m/s for each degree: a thaw that can be watched
+    uint most = uint(max(weather.temperature, 0.0) * rate * seconds / cell_size * float(full_cell));
+    ivec3 cell = foot_of_column();
+    for (;; ++cell.y) {
+        while (cell.y < resolution && !is_surface(cell)) ++cell.y;
+        if (cell.y == resolution) break;
+        uint amount = min(most, mass_in(cell));
+        atomicAdd(mass[mass_index(cell)], 0u - amount);
+        count_mass(melted_mass, amount);
+    }
+}

@@ -1,0 +1,75 @@
+#version 430 core
+// Snow that lies steeper than its angle of repose slides into the lower neighbours, over edges, too. What
+// one column loses another gains, to the unit.
+
+#include "common/weather_block.glsl"
+#include "step06_accumulation/cover/column.glsl"
+
+const ivec3 up = ivec3(0, 1, 0);
+
+// Takes as much from this column, from the surface `cell` downwards, as is there. Nobody but this
+// invocation takes from it, so what was there is there still. Returns the mass taken.
+uint take(ivec3 cell, uint amount)
+{
+    uint taken = 0u;
+    for (; taken < amount && cell.y >= 0 && mass_in(cell) > 0u; cell -= up) {
+        uint part = min(amount - taken, mass_in(cell));
+        atomicAdd(mass[mass_index(cell)], 0u - part);
+        taken += part;
+    }
+    return taken;
+}
+
+// Slides snow from `cell`, the surface of its column, one column on in `direction`. `base` is the height
+// of what the snow lies on, `slope` the greatest difference to the neighbour, in cells.
+void slide(ivec3 cell, ivec3 direction, float base, float slope)
+{
+    ivec3 target = cell + direction;
+    if (!in_grid(target) || in_scene(target)) return;  // a wall
+    if (mass_in(target + up) > 0u) return;             // higher snow
+    while (target.y > 0 && mass_in(target) == 0u && !in_scene(target - up)) target -= up;
+    float height = float(cell.y) + float(mass_in(cell)) / float(full_cell);
+    float neighbour = float(target.y) + float(mass_in(target)) / float(full_cell);
+    // Where the ground falls away the snow holds together, and the edge is half as far as the neighbour.
+    const float cliff = 0.03;  // m
+    float highest = max(neighbour + slope, base + cliff / cell_size + 0.5 * slope);  // in cells
+    float excess = height - highest;
+    if (excess <= 0.0) return;
+    add_snow(target, take(cell, uint(0.25 * excess * float(full_cell))));
+}
+
+// Moves from `cell` as much as the cell below has room for, if that has lost snow since.
+void fall(ivec3 cell)
+{
+    ivec3 below = cell - up;
+    if (cell.y == 0 || in_scene(below)) return;
+    uint room = full_cell - min(mass_in(below), full_cell);
+    if (room > 0u) add_snow(below, take(cell, min(room, mass_in(cell))));
+}
+
+void main()
+{
+    float slope = tan(radians(weather.repose));  // cells of height for one of distance
+    float base = 0.0;                            // height of what the snow lies on, in cells
+    ivec3 cell = foot_of_column();
+    for (;;) {
+        // Up to the next snow.
+        for (; cell.y < resolution && mass_in(cell) == 0u; cell += up) {
+            if (in_scene(cell)) base = float(cell.y + 1);
+        }
+        if (cell.y == resolution) break;
+        fall(cell);
+        // And up to its surface.
+        while (mass_in(cell + up) > 0u) cell += up;
+        fall(cell);
+        for (int side = 0; side < 8 && !in_scene(cell + up); ++side) {
+            // The four columns at the sides, then the four at the corners.
+            ivec3 direction = side < 4 ? ivec3((side & 1) * (2 - side), 0, (1 - (side & 1)) * (1 - side))
+                                       : ivec3((side & 1) * 2 - 1, 0, (side & 2) - 1);
+            ivec3 surface = cell;
+            while (mass_in(surface) == 0u && surface.y > 0) surface -= up;  // it may have slid already
+            slide(surface, direction, base, slope * length(vec3(direction)));
+        }
+        cell += up;
+    }
+}

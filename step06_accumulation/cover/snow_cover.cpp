@@ -1,0 +1,116 @@
+#include "step06_accumulation/cover/snow_cover.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "common/bindings.glsl"
+#include "common/harness/files.hpp"
+
+namespace {
+
+struct Sums {  // as snow_cover.glsl has them: little-endian, the low word first
+    GLuint64 deposited, melted;
+};
+
+// s from a flake's birth until it is part of the cover: it falls, may bounce, and lies. Found
+// by letting one fall, without what makes flakes differ.
+double cycle(snow::Weather weather, snow::uint emitter)
+{
+    weather.particles = 2;
+    weather.variation = weather.turbulence = 0;
+    snow::Particle flake = snow::born(emitter, 0, weather);
+    flake.position.y = weather.emitters[emitter].centre.y;
+    snow::uint step = 0;
+    for (; flake.rest == 0 && !snow::gone(flake, emitter, weather); ++step) {
+        flake = snow::settle(snow::move(flake, weather), weather);
+        flake = snow::accelerate(flake, weather.wind, emitter, step, weather);
+    }
+    return double(step) * weather.time_step + weather.melt_time;
+}
+
+}  // namespace
+
+SnowCover::SnowCover(const VoxelGrid& grid)
+    : resolution_(grid.resolution), origin_(grid.origin), cell_size_(grid.cell_size),
+      mass_(make_buffer()), sums_(make_buffer())
+{
+    const size_t n = size_t(resolution_);
+    const GLsizeiptr bytes = GLsizeiptr(n * n * n * sizeof(GLuint));
+    GLint64 largest = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+    if (bytes > largest) {
+        throw std::runtime_error("--voxels " + std::to_string(resolution_) +
+                                 ": the snow cover needs " + std::to_string(bytes) +
+                                 " bytes, this card's buffers end at " + std::to_string(largest));
+    }
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, mass_);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+    glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+
+    const Sums zero{};
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, sums_);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof zero, &zero, GL_DYNAMIC_COPY);
+}
+
+void SnowCover::bind() const
+{
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, COVER_BUFFER, mass_);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SUMS_BUFFER, sums_);
+}
+
+float SnowCover::flake_mass(const snow::Weather& weather)
+{
+    // To find the cycle flakes are let fall, which takes a while: not anew in every frame.
+    if (weather_ && std::memcmp(&*weather_, &weather, sizeof weather) == 0) return flake_mass_;
+    weather_ = weather;
+    double volume = 0;  // m3 a second, of the cubes around the flakes that come to lie
+    for (const snow::uint emitter : {0u, 1u}) {
+        const double d = weather.emitters[emitter].diameter, v = weather.variation;
+        const double mean = d * d * d * (1 + v * v);  // of the cubes of d (1 - v) to d (1 + v)
+        volume += 0.5 * weather.particles * mean / cycle(weather, emitter);
+    }
+    const snow::Emitter& cloud = weather.emitters[0];
+    const double area = 4.0 * cloud.half_size.x * cloud.half_size.z;  // m2
+    const double snow = weather.snowfall / 60.0 * area;               // m3 a second
+    const double cell = double(cell_size_) * cell_size_ * cell_size_;
+    flake_mass_ = volume > 0 ? float(65536 * snow / cell / volume) : 0.0f;
+    return flake_mass_;
+}
+
+std::vector<GLuint> SnowCover::read() const
+{
+    std::vector<GLuint> mass(size_t(resolution_) * size_t(resolution_) * size_t(resolution_));
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, mass_);
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(mass.size() * sizeof(GLuint)),
+                       mass.data());
+    return mass;
+}
+
+void SnowCover::report(const std::filesystem::path& path) const
+{
+    const std::vector<GLuint> mass = read();
+    uint64_t lying = 0;
+    for (const GLuint cell : mass) lying += cell;
+    Sums sums{};
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, sums_);
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof sums, &sums);
+    std::cout << "cover: lying " << lying << " + melted " << sums.melted << " = deposited "
+              << sums.deposited << std::endl;
+
+    if (path.empty()) return;
+    std::ostringstream csv;
+    csv << "# origin " << origin_.x << " " << origin_.y << " " << origin_.z << " cell "
+        << cell_size_ << " full 65536\ni,j,k,mass\n";
+    const size_t n = size_t(resolution_);
+    for (size_t cell = 0; cell < mass.size(); ++cell) {
+        if (mass[cell] == 0) continue;
+        csv << cell % n << "," << cell / n % n << "," << cell / (n * n) << "," << mass[cell]
+            << "\n";
+    }
+    write_file(path, csv.str());
+}

@@ -1,0 +1,97 @@
+// The variant "winter": same as main.cpp, but the full system. The wind flows around the scene, the
+// snow is lit, shaded and as smooth as it needs to be, flakes are crystals, drops or hailstones,
+// and fewer of them move where frames take too long. What each part does is in a folder of winter/.
+
+#include <GL/glew.h>
+
+#include "common/program.hpp"
+#include "common/uniform_block.hpp"
+#include "common/window.hpp"
+#include "step04_transform_feedback/ping_pong.hpp"
+#include "step05_collision/ledger.hpp"
+#include "step05_collision/solid_scene.hpp"
+#include "step06_accumulation/cover/columns.hpp"
+#include "step06_accumulation/cover/snow_cover.hpp"
+#include "step06_accumulation/winter/winter.hpp"
+
+using namespace snow;
+
+std::vector<Parameter> winter_parameters()
+{
+    return Winter::parameters();
+}
+
+void run_winter(Window& window)
+{
+    const Options& options = window.options();
+    const Weather& weather = options.weather;
+
+    std::vector<Particle> flakes = make_flakes(weather);
+    uint tick = 0;  // time steps made so far
+    PingPong particles(flakes);
+    const SolidScene& solid = window.shared<SolidScene>();
+    const Ledger ledger;
+    SnowCover cover(solid.grid);
+    Columns columns(solid, cover);
+    Winter winter(window, solid, columns);
+
+    UniformBlock<Weather> weather_block;
+    Program update({{GL_VERTEX_SHADER, "step06_accumulation/winter/wind/update.vert"}},
+                   {"position", "age", "velocity", "rest"});
+
+    const vec3 sky(0.30f, 0.34f, 0.42f);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
+    glEnable(GL_POINT_SPRITE);        // and gl_PointCoord with it
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glClearColor(sky.r, sky.g, sky.b, 1.0f);
+    while (window.begin_frame()) {
+        glViewport(0, 0, window.size().x, window.size().y);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        weather_block.update(WEATHER_BLOCK, weather);
+        winter.choose_flakes(window, particles);
+        {
+            const auto stage = window.stage("update");
+            update.use();
+            set_voxels(update, solid);
+            ledger.bind();
+            cover.bind();
+            winter.set_wind(update, weather);
+            update.set("flake_mass", cover.flake_mass(weather) * winter.live().weight());
+            for (int n = 0; n < window.ticks(); ++n, ++tick) {
+                update.set("step_number", tick);
+                glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
+                glBindVertexArray(particles.vao());
+                for (const Range& half : winter.live()) {
+                    if (half.count == 0) continue;  // an empty range may not be bound
+                    glBindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER,
+                                      particles.target(), begin_of(half), size_of(half));
+                    glBeginTransformFeedback(GL_POINTS);
+                    glDrawArrays(GL_POINTS, half.first, half.count);
+                    glEndTransformFeedback();
+                }
+                glDisable(GL_RASTERIZER_DISCARD);
+                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // who reads next sees this snow
+                particles.swap();
+            }
+        }
+        if (Columns::settling != 0) {
+            const auto stage = window.stage("settle");
+            columns.settle(tick, window.ticks());
+        }
+        if (Columns::melting != 0) {
+            const auto stage = window.stage("melt");
+            columns.melt(tick, window.ticks(), weather);
+        }
+        {
+            const auto stage = window.stage("depth");
+            columns.measure(tick, window.ticks());
+        }
+        winter.draw(window, tick, particles);
+        window.swap_buffers();
+    }
+    particles.read(flakes);
+    window.dump(flakes);
+    ledger.print(flakes);
+    cover.report(options.dump_cover);
+}

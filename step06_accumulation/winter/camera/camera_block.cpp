@@ -1,0 +1,21 @@
+#include "step06_accumulation/winter/camera/camera_block.hpp"
+
+#include <algorithm>
+
+void CameraBlock::update(const Window& window, unsigned tick)
+{
+    const snow::Weather& weather = window.options().weather;
+    const bool first = camera_.window_size.x == 0;
+    camera_.view_before = first ? window.view() : camera_.view;
+    camera_.view = window.view();
+    camera_.projection = window.projection();
+    camera_.eye = window.eye();
+    camera_.shutter = float(window.ticks()) * weather.time_step / float(window.options().timelapse);
+    camera_.window_size = window.size();
+    // The first flakes fall and lie for a while before they are part of the cover.
+    const snow::Emitter& cloud = weather.emitters[0];
+    const float late = cloud.centre.y / cloud.terminal_speed + weather.melt_time;  // s
+    camera_.field_depth =
+        weather.snowfall / 60.0f * std::max(float(tick) * weather.time_step - late, 0.0f);
+    block_.update(CAMERA_BLOCK, camera_);
+}

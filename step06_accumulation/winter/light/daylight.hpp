@@ -1,0 +1,36 @@
+// The light of the hour: computes once a frame, for all shaders of the winter, what light.glsl
+// needs.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "common/uniform_block.hpp"
+#include "common/weather.hpp"
+#include "step05_collision/solid_scene.hpp"
+
+namespace snow {
+#include "step06_accumulation/winter/light/light.glsl"
+static_assert(sizeof(Light) == 224, "the layout std140 gives it");
+}  // namespace snow
+
+class Daylight {
+public:
+    explicit Daylight(const SolidScene& solid);
+
+    static std::vector<snow::Parameter> parameters();
+    inline static float shadow = 1, occlusion = 1, fog = 1, lamp = 1;  // switches
+    inline static float sun_height = 20, sun_direction = 118;          // degrees
+    inline static float exposure = 1;
+
+    // tick: time steps made since the first flake.
+    void update(const snow::Weather& weather, unsigned tick);
+
+    const snow::Light& light() const { return light_; }
+
+private:
+    UniformBlock<snow::Light> block_;
+    snow::Light light_{};
+    float reach_ = 1;         // m, of the scene from the world's origin
+    glm::vec3 lamp_light_{};  // of the lamp that the scene has, when it is on
+};

@@ -1,0 +1,11 @@
+#version 430 core
+// The scene as the sun sees it; only its depth is kept.
+
+#include "step06_accumulation/winter/light/light.glsl"
+
+layout(location = 0) in vec3 position;
+
+void main()
+{
+    gl_Position = light.to_shadow_map * vec4(position, 1.0);
+}

@@ -1,0 +1,49 @@
+#include "step06_accumulation/winter/light/shadow_map.hpp"
+
+namespace {
+
+constexpr GLsizei texels = 2048;  // along each edge
+
+}  // namespace
+
+ShadowMap::ShadowMap()
+    : depth_(make_texture()), framebuffer_(make_framebuffer()),
+      program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/light/shadow.vert"}})
+{
+    glBindTexture(GL_TEXTURE_2D, depth_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, texels, texels, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
+    // A lookup compares a depth with those of the four nearest texels and blends the results.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // Beside the map there is no scene and no shadow.
+    const float farthest[4] = {1, 1, 1, 1};
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ivec2 window)
+{
+    if (light.to_sun == drawn_for_) return;
+    drawn_for_ = light.to_sun;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glViewport(0, 0, texels, texels);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    // A texel is as deep as its middle: push all surfaces back by as much as they fall off in a
+    // texel, or they would shadow themselves in stripes.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(2, 2);
+    program_.use();
+    mesh.draw();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, window.x, window.y);
+}

@@ -1,0 +1,26 @@
+// How far the sun sees in every direction: what lies farther away is in shadow.
+#pragma once
+
+#include <GL/glew.h>
+
+#include <glm/glm.hpp>
+
+#include "common/gl_object.hpp"
+#include "common/program.hpp"
+#include "common/scene/scene.hpp"
+#include "step06_accumulation/winter/light/daylight.hpp"
+
+class ShadowMap {
+public:
+    ShadowMap();
+
+    // Draws the map anew if the sun has moved; the scene never does. window: its size, pixels.
+    void update(const snow::Light& light, const SceneMesh& mesh, glm::ivec2 window);
+
+    GLuint texture() const { return depth_; }
+
+private:
+    GlObject depth_, framebuffer_;
+    Program program_;
+    glm::vec3 drawn_for_{};
+};

@@ -1,0 +1,23 @@
+#include "step06_accumulation/winter/light/sky.hpp"
+
+Sky::Sky()
+    : program({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
+               {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/sky.frag"}}),
+      vao_(make_vertex_array())
+{}
+
+std::vector<snow::Parameter> Sky::parameters()
+{
+    return {{"sky", "on/off", 0, 1, "sky, and a field around the scene", &sky}};
+}
+
+void Sky::draw()
+{
+    program.use();
+    glBindVertexArray(vao_);
+    glDepthRange(1, 1);  // as far as can be: it is seen where nothing else was drawn
+    glDepthFunc(GL_LEQUAL);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthFunc(GL_LESS);
+    glDepthRange(0, 1);
+}

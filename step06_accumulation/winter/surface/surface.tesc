@@ -1,0 +1,53 @@
+#version 430 core
+// How finely each edge of a triangle is divided: only where snow bends it, and only as far as it shows.
+
+#include "step06_accumulation/winter/camera/camera.glsl"
+#include "step06_accumulation/winter/surface/smooth_depth.glsl"
+
+layout(vertices = 3) out;
+
+uniform float fine_enough;  // m, length of an edge that stays as it is
+
+in Corner { vec3 position, normal, colour; float lift, skirt; } corner[];
+out Corner { vec3 position, normal, colour; float lift, skirt; } control[];
+
+// Depth of the snow in the column at `point`, m.
+float roughly(vec3 point)
+{
+    ivec3 cell = ivec3(floor((point - grid_origin) / cell_size));
+    return max(texelFetch(snow_depth, cell, 0).r, 0.0);
+}
+
+// Depends on nothing but the edge, whichever triangle asks: so the two on its sides meet without a crack.
+float edge_level(int a, int b)
+{
+    vec3 from = corner[a].position, to = corner[b].position;
+    if (corner[a].lift + corner[b].lift == 0.0 || distance(from, to) <= fine_enough) return 1.0;
+    vec3 middle = 0.5 * (from + to);
+    // projection[1][1] is 1 / tan(half the field of view)
+    float pixels_per_metre = 0.5 * float(camera.window_size.y) * camera.projection[1][1] /
+                             max(distance(camera.eye, middle), 0.1);
+    // How far the snow leaves the straight line between the ends, m.
+    float first = roughly(from), last = roughly(to), bend = 0.0;
+    for (int i = 1; i < 4; ++i) {
+        float part = 0.25 * float(i);
+        bend = max(bend, abs(roughly(mix(from, to, part)) - mix(first, last, part)));
+    }
+    const float least_pixels = 16.0;  // length of an edge that it pays to draw
+    float finest = distance(from, to) * min(pixels_per_metre / least_pixels, 1.0 / cell_size);
+    return mix(1.0, max(finest, 1.0), smoothstep(0.3, 1.5, bend * pixels_per_metre));
+}
+
+void main()
+{
+    control[gl_InvocationID].position = corner[gl_InvocationID].position;
+    control[gl_InvocationID].normal = corner[gl_InvocationID].normal;
+    control[gl_InvocationID].colour = corner[gl_InvocationID].colour;
+    control[gl_InvocationID].lift = corner[gl_InvocationID].lift;
+    control[gl_InvocationID].skirt = corner[gl_InvocationID].skirt;
+    if (gl_InvocationID == 0) {
+        // Edge i lies opposite to corner i.
+        for (int i = 0; i < 3; ++i) gl_TessLevelOuter[i] = edge_level((i + 1) % 3, (i + 2) % 3);
+        gl_TessLevelInner[0] = max(gl_TessLevelOuter[0], max(gl_TessLevelOuter[1], gl_TessLevelOuter[2]));
+    }
+}

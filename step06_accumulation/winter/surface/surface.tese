@@ -1,0 +1,18 @@
+#version 430 core
+// A point that tessellation added to a triangle, lifted by the snow at its own place.
+
+#include "step06_accumulation/winter/surface/surface.glsl"
+
+layout(triangles, fractional_even_spacing, ccw) in;
+
+in Corner { vec3 position, normal, colour; float lift, skirt; } control[];
+
+void main()
+{
+    vec3 part = gl_TessCoord;
+    put_on_snow(part.x * control[0].position + part.y * control[1].position + part.z * control[2].position,
+                part.x * control[0].normal + part.y * control[1].normal + part.z * control[2].normal,
+                part.x * control[0].colour + part.y * control[1].colour + part.z * control[2].colour,
+                part.x * control[0].lift + part.y * control[1].lift + part.z * control[2].lift,
+                control[0].skirt);
+}

@@ -1,0 +1,15 @@
+#version 430 core
+// A vertex of the scene, lifted at once: the whole surface is no finer than the mesh.
+
+#include "step06_accumulation/winter/surface/surface.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 colour;
+layout(location = 3) in float lift;
+layout(location = 4) in float skirt;
+
+void main()
+{
+    put_on_snow(position, normal, colour, lift, skirt);
+}

@@ -1,0 +1,18 @@
+#include "step06_accumulation/winter/wind/wind_arrows.hpp"
+
+WindArrows::WindArrows()
+    : program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/wind/arrow.vert"},
+                {GL_FRAGMENT_SHADER, "step06_accumulation/winter/wind/arrow.frag"}}),
+      vao_(make_vertex_array())
+{}
+
+void WindArrows::draw(const WindField& wind, const SolidScene& solid, const snow::Weather& weather,
+                      unsigned tick)
+{
+    program_.use();
+    set_voxels(program_, solid);
+    wind.set(program_, weather);
+    program_.set("step_number", tick);
+    glBindVertexArray(vao_);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 9, 16 * 16 * 4);  // corners, arrows: see arrow.vert
+}

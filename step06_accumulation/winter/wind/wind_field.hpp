@@ -1,0 +1,49 @@
+// The wind around the scene: how air that would blow evenly flows past what stands in its way.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "common/gl_object.hpp"
+#include "common/program.hpp"
+#include "common/weather.hpp"
+#include "step05_collision/voxel_grid.hpp"
+
+// Air that blows with 1 m/s along one axis far from the scene. Its velocity is known on the faces
+// of a coarse grid: component `axis` at face (i, j, k) is the flow from cell i-1 to cell i along
+// that axis.
+struct AirFlow {
+    static constexpr int cells = 32;  // along each edge of the voxel grid's cube
+    std::vector<float> speed[3];      // m/s, (cells + 1)^3 values each
+    std::vector<float> open[3];       // part of the face that the scene leaves free, 0 to 1
+    float residual;  // largest net flow out of a cell, relative to that through a face
+
+    static size_t face(int i, int j, int k)
+    {
+        return (size_t(k) * (cells + 1) + size_t(j)) * (cells + 1) + size_t(i);
+    }
+    glm::vec3 at_cell(glm::ivec3 cell) const;  // m/s, the mean of the cell's faces
+};
+
+// Takes the even wind, slows it in the lee of everything, and removes from it, by the gradient of a
+// pressure, what would flow into or out of any cell (the projection of Stam, "Stable Fluids", 1999;
+// wakes first and then this is how Rockle's wind model for cities, 1990, goes about it). No air
+// flows through the ground; on the other sides of the cube it is free to.
+AirFlow flow_around(const VoxelGrid& grid, glm::vec3 wind);
+
+// The flow for wind towards +x, -x, +z and -z. Any wind is a sum of two of them: but for the wakes,
+// the equations are linear.
+class WindField {
+public:
+    explicit WindField(const VoxelGrid& grid);
+
+    static std::vector<snow::Parameter> parameters();
+    inline static float wind_field = 1, arrows = 0;  // switches
+    inline static float gusts = 0.3f;
+
+    // Gives the flows to the program in use, as wind_field.glsl looks for them.
+    void set(Program& program, const snow::Weather& weather) const;
+
+private:
+    GlObject flows_[4];
+};

@@ -1,0 +1,59 @@
+// All that the variant "winter" has besides the snow that lies: the parts, each in a folder of its
+// own with its settings and its shaders, and what they have to do in a frame.
+#pragma once
+
+#include <vector>
+
+#include "common/window.hpp"
+#include "step06_accumulation/cover/columns.hpp"
+#include "step06_accumulation/winter/budget/flake_budget.hpp"
+#include "step06_accumulation/winter/budget/live_flakes.hpp"
+#include "step06_accumulation/winter/camera/camera_block.hpp"
+#include "step06_accumulation/winter/flakes/flakes.hpp"
+#include "step06_accumulation/winter/light/ambient_occlusion.hpp"
+#include "step06_accumulation/winter/light/daylight.hpp"
+#include "step06_accumulation/winter/light/lamp.hpp"
+#include "step06_accumulation/winter/light/shadow_map.hpp"
+#include "step06_accumulation/winter/light/sky.hpp"
+#include "step06_accumulation/winter/surface/snow_surface.hpp"
+#include "step06_accumulation/winter/wind/wind_arrows.hpp"
+#include "step06_accumulation/winter/wind/wind_field.hpp"
+
+class Winter {
+public:
+    Winter(Window& window, const SolidScene& solid, const Columns& columns);
+
+    // The numbers of all parts, for --set and the panel.
+    static std::vector<snow::Parameter> parameters();
+
+    // Decides how many flakes live in the next frame.
+    void choose_flakes(Window& window, const PingPong& particles);
+    const LiveFlakes& live() const { return live_; }
+
+    // Gives the wind around the scene to the program in use, as wind_field.glsl looks for it.
+    void set_wind(Program& program, const snow::Weather& weather) const;
+
+    // Draws it all, each part in a stage of its own. tick: time steps made since the first flake.
+    void draw(Window& window, unsigned tick, const PingPong& particles);
+
+private:
+    const SolidScene& solid_;
+    const Columns& columns_;
+    // What takes long to compute, and stays when the snow begins anew.
+    struct Computed {
+        explicit Computed(Window& window);
+        WindField wind;
+        AmbientOcclusion occlusion;
+    };
+    const Computed& computed_;
+    FlakeBudget budget_;
+    LiveFlakes live_;
+    CameraBlock camera_;
+    Daylight daylight_;
+    ShadowMap shadow_map_;
+    SnowSurface surface_;
+    Sky sky_;
+    Lamp lamp_;
+    WindArrows arrows_;
+    Flakes flakes_;
+};

@@ -1,0 +1,62 @@
+// How many time steps a frame makes, without a window to show it.
+#include "common/harness/pacing.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+CommandLine realtime()
+{
+    CommandLine command;
+    command.weather = snow::make_weather("snow", 1, 1);  // steps of 1/60 s
+    return command;
+}
+
+}  // namespace
+
+TEST(Pacing, FollowsTheClockAndOwesWhatIsLess)
+{
+    Pacing pacing;
+    Controls controls;
+    const CommandLine command = realtime();
+    int ticks = 0;
+    for (int frame = 0; frame < 240; ++frame) ticks += pacing.ticks(command, 1 / 240.0, controls);
+    EXPECT_NEAR(ticks, 60, 1);  // rounding may leave the last one for the next frame
+}
+
+TEST(Pacing, SlowsDownAfterAHitchInsteadOfSkipping)
+{
+    Pacing pacing;
+    Controls controls;
+    CommandLine command = realtime();
+    EXPECT_EQ(pacing.ticks(command, 10, controls), 8);
+    EXPECT_EQ(pacing.ticks(command, 0, controls), 0);
+    command.timelapse = 3;
+    EXPECT_EQ(pacing.ticks(command, 10, controls), 24);
+}
+
+TEST(Pacing, MakesTheSameStepsInEveryFrameOfARepeatableRun)
+{
+    Pacing pacing;
+    Controls controls;
+    CommandLine command = realtime();
+    command.frames = 5;
+    EXPECT_EQ(pacing.ticks(command, 0, controls), 1);
+    EXPECT_EQ(pacing.ticks(command, 10, controls), 1);
+    command.timelapse = 60;
+    EXPECT_EQ(pacing.ticks(command, 0, controls), 60);
+}
+
+TEST(Pacing, PausesAndMakesSingleSteps)
+{
+    Pacing pacing;
+    Controls controls;
+    const CommandLine command = realtime();
+    controls.paused = true;
+    EXPECT_EQ(pacing.ticks(command, 1, controls), 0);
+    controls.single_step = true;
+    EXPECT_EQ(pacing.ticks(command, 1, controls), 1);
+    EXPECT_EQ(pacing.ticks(command, 1, controls), 0);
+    controls.paused = false;
+    EXPECT_EQ(pacing.ticks(command, 0, controls), 0) << "what passed meanwhile is not caught up";
+}

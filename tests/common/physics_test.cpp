@@ -1,0 +1,283 @@
+// The physics of snow.glsl, as C++ sees it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "common/weather.hpp"
+#include "step01_cpu_points/update.hpp"
+
+using namespace snow;
+
+namespace {
+
+// Snow without what makes flakes differ: each falls straight, at the same speed.
+Weather calm_weather(float terminal_speed)
+{
+    Weather weather = make_weather("snow", 2, 1);
+    weather.turbulence = 0;
+    weather.variation = 0;
+    weather.emitters[0].terminal_speed = weather.emitters[1].terminal_speed = terminal_speed;
+    return weather;
+}
+
+bool finite(const Particle& p)
+{
+    return std::isfinite(dot(p.position, p.position)) &&
+           std::isfinite(dot(p.velocity, p.velocity)) && std::isfinite(p.age) &&
+           std::isfinite(p.rest);
+}
+
+}  // namespace
+
+// With u the velocity relative to the air and t the terminal speed, a step gives
+//     u' = u + dt (g - k u + r),   k = min(|g| |u| / t^2, 1/dt),   |r| <= R = sqrt(3) turbulence.
+// As dt k <= 1, |u'| <= f(|u|) with f(s) = s (1 - dt k) + dt (|g| + R). Where k is not cut off, f
+// is the parabola s - dt |g| s^2 / t^2 + dt (|g| + R), with the fixed point s* = t sqrt(1 + R /
+// |g|) and its maximum at m = t^2 / (2 dt |g|); where it is, f = dt (|g| + R). If s* < m, f rises
+// up to s*: from rest a flake never gets beyond s*. Else f(m) = m / 2 + dt (|g| + R) <= s* / 2 + dt
+// (|g| + R).
+float fastest(uint index, const Weather& weather)
+{
+    const float gravity = length(weather.gravity), push = std::sqrt(3.0f) * weather.turbulence;
+    const float balance = terminal_speed(index, weather) * std::sqrt(1 + push / gravity);
+    return std::max(balance, balance / 2 + weather.time_step * (gravity + push));
+}
+
+TEST(Physics, SpeedNeverExceedsTerminalSpeedPlusWindPlusTurbulence)
+{
+    for (const char* preset : {"snow", "rain", "hail"}) {
+        for (const vec3 wind : {vec3(0), vec3(3, 0, -4), vec3(30, 0, 30)}) {
+            Weather weather = make_weather(preset, 2000, 5);
+            weather.wind = wind;
+            std::vector<Particle> flakes = make_flakes(weather);
+            for (uint step = 0; step < 1500; ++step) {
+                update_in_one_loop(flakes, step, weather);
+                for (uint i = 0; i < flakes.size(); ++i) {
+                    // 1.0001: each of some hundred steps rounds at the seventh digit.
+                    ASSERT_LE(length(flakes[i].velocity),
+                              1.0001f * (fastest(i, weather) + length(wind)))
+                        << preset << ", flake " << i << ", step " << step;
+                }
+            }
+        }
+    }
+}
+
+TEST(Physics, FlakeInCalmAirReachesItsTerminalSpeed)
+{
+    const Weather weather = calm_weather(1.5f);
+    Particle flake = born(0, 0, weather);
+    for (uint step = 0; step < 120; ++step)
+        flake = accelerate(move(flake, weather), weather.wind, 0, step, weather);
+    EXPECT_NEAR(flake.velocity.y, -1.5f,
+                1e-4f);  // what is left of the way there after 13 time constants
+}
+
+// Fall from rest with quadratic drag has an exact solution: v = -t tanh(g s / t) and
+// y = -(t^2 / g) ln cosh(g s / t) after s seconds. Half the step must leave half the error.
+TEST(Physics, EulerStepConvergesWithOrderOne)
+{
+    const double terminal = 5, gravity = 9.81, duration = 0.5;
+    const double x = gravity * duration / terminal;
+    const double exact_speed = -terminal * std::tanh(x);
+    const double exact_height = -terminal * terminal / gravity * std::log(std::cosh(x));
+    double speed_error = 0, height_error = 0;
+    for (int steps = 30; steps <= 240; steps *= 2) {
+        Weather weather = calm_weather(float(terminal));
+        weather.time_step = float(duration / steps);
+        Particle flake{};
+        for (int n = 0; n < steps; ++n)
+            flake = accelerate(move(flake, weather), weather.wind, 0, uint(n), weather);
+        const double speed = std::abs(flake.velocity.y - exact_speed);
+        const double height = std::abs(flake.position.y - exact_height);
+        if (steps > 30) {
+            // 0.1: the error has a part of second order, which at the largest step (1/60 s) is a
+            // tenth of the first; rounding (some 1e-6) is a hundredth of the smallest error here.
+            EXPECT_NEAR(std::log2(speed_error / speed), 1, 0.1) << steps << " steps";
+            EXPECT_NEAR(std::log2(height_error / height), 1, 0.1) << steps << " steps";
+        }
+        speed_error = speed;
+        height_error = height;
+    }
+}
+
+// Counts births, by second and emitter, of a pool of 10,000 snowflakes over two minutes.
+std::vector<uvec2> births_by_second(uint seed)
+{
+    const Weather weather = make_weather("snow", 10000, seed);
+    std::vector<Particle> flakes = make_flakes(weather);
+    std::vector<uvec2> births(120);
+    for (uint step = 0; step < 60 * births.size(); ++step) {
+        update_in_one_loop(flakes, step, weather);
+        for (uint i = 0; i < flakes.size(); ++i) {
+            if (flakes[i].age == 0.0f) ++births[step / 60][of_first_emitter(i, weather) ? 0 : 1];
+        }
+    }
+    return births;
+}
+
+TEST(Release, HasNeitherBurstNorGap)
+{
+    for (const uint seed : {1u, 7u}) {
+        const std::vector<uvec2> births = births_by_second(seed);
+        float steady = 0;  // flakes a second, mean of the second minute
+        for (size_t second = 60; second < 120; ++second) {
+            steady += float(births[second].x + births[second].y) / 60;
+        }
+        for (size_t second = 0; second < 60; ++second) {
+            const float born = float(births[second].x + births[second].y);
+            EXPECT_LE(born, 1.2f * steady) << "second " << second << ", seed " << seed;
+            EXPECT_GE(born, 0.8f * steady) << "second " << second << ", seed " << seed;
+        }
+    }
+}
+
+TEST(Release, IsSharedEquallyByBothEmitters)
+{
+    uvec2 births(0);
+    for (const uvec2& second : births_by_second(7)) births += second;
+    // 2 %: 50,000 births each scatter by 0.4 %, and a cycle is whole steps long, of which it has
+    // 700.
+    EXPECT_NEAR(float(births.x) / float(births.y), 1, 0.02f);
+}
+
+// All corners of the box of settings that --set accepts.
+TEST(Physics, StaysFiniteAndAboveGroundInTheWildestWeather)
+{
+    Weather weather = make_weather("snow", 16, 0);
+    const std::vector<Parameter> parameters = weather_parameters(weather);
+    for (uint corner = 0; corner < 1u << parameters.size(); ++corner) {
+        weather.seed = corner;
+        for (size_t i = 0; i < parameters.size(); ++i) {
+            *parameters[i].value = corner >> i & 1 ? parameters[i].maximum : parameters[i].minimum;
+        }
+        std::vector<Particle> flakes = make_flakes(weather);
+        for (Particle& flake : flakes) flake.age *= 0.01f;  // no long wait for the first birth
+        for (uint step = 0; step < 400; ++step) update_in_one_loop(flakes, step, weather);
+        for (const Particle& flake : flakes) {
+            ASSERT_TRUE(finite(flake)) << "corner " << corner;
+            ASSERT_GE(flake.position.y, 0) << "corner " << corner;
+        }
+    }
+}
+
+TEST(Physics, LandedFlakeRestsMeltsAndIsRebornInItsCloud)
+{
+    const Weather weather = make_weather("snow", 2, 1);
+    Particle flake = born(1, 0, weather);
+    uint step = 1;
+    while (flake.rest == 0 && step < 2000) flake = advance(flake, 1, step++, weather);
+    EXPECT_EQ(flake.position.y, 0);
+    EXPECT_EQ(flake.velocity, vec3(0));
+
+    const vec3 place = flake.position;
+    const uint landed = step;
+    while (flake.rest > 0) {
+        EXPECT_EQ(flake.position, place);
+        flake = advance(flake, 1, step++, weather);
+    }
+    EXPECT_NEAR(float(step - landed) * weather.time_step, weather.melt_time, 2 * weather.time_step);
+    EXPECT_EQ(flake.age, 0);
+    const Emitter& cloud = weather.emitters[1];
+    EXPECT_LE(abs(flake.position.y - cloud.centre.y), cloud.half_size.y);
+}
+
+// Explicit loops, a call for each flake: the order of the work is all that differs.
+TEST(Update, OneLoopThreeLoopsAndAdvanceAgreeToTheLastBit)
+{
+    for (const uint particles : {0u, 1u, 63u, 64u, 65u, 1000u}) {
+        for (const char* preset : {"snow", "hail"}) {
+            const Weather weather = make_weather(preset, particles, 3);
+            std::vector<Particle> one = make_flakes(weather), three = one, single = one;
+            for (uint step = 0; step < 1500; ++step) {
+                update_in_one_loop(one, step, weather);
+                update_in_three_loops(three, step, weather);
+                for (uint i = 0; i < particles; ++i)
+                    single[i] = advance(single[i], i, step, weather);
+            }
+            const size_t bytes = particles * sizeof(Particle);
+            if (bytes == 0) continue;
+            EXPECT_EQ(std::memcmp(one.data(), three.data(), bytes), 0)
+                << preset << " " << particles;
+            EXPECT_EQ(std::memcmp(one.data(), single.data(), bytes), 0)
+                << preset << " " << particles;
+        }
+    }
+}
+
+// In std140 a vec3 and an array of structs begin at multiples of 16, as does what follows a struct.
+// All else packs as in C++: four bytes after four bytes. (test_one_snowfall.py proves it for the
+// GPU.)
+TEST(Weather, LiesInMemoryAsStd140Says)
+{
+    for (const size_t offset :
+         {offsetof(Weather, gravity), offsetof(Weather, wind), offsetof(Weather, world_min),
+          offsetof(Weather, world_max), offsetof(Weather, emitters), offsetof(Emitter, centre),
+          offsetof(Emitter, half_size), sizeof(Emitter), sizeof(Weather)}) {
+        EXPECT_EQ(offset % 16, 0u);
+    }
+}
+
+TEST(Weather, KnowsItsPresetsAndNoOthers)
+{
+    for (const char* preset : {"snow", "rain", "hail"}) {
+        Weather weather = make_weather(preset, 100, 1);
+        EXPECT_LT(weather.emitters[0].terminal_speed, weather.emitters[1].terminal_speed) << preset;
+        EXPECT_LT(weather.emitters[0].diameter, weather.emitters[1].diameter) << preset;
+        for (const Parameter& parameter : weather_parameters(weather)) {
+            EXPECT_GE(*parameter.value, parameter.minimum) << preset << " " << parameter.name;
+            EXPECT_LE(*parameter.value, parameter.maximum) << preset << " " << parameter.name;
+        }
+    }
+    EXPECT_THROW(make_weather("sunshine", 100, 1), std::invalid_argument);
+}
+
+// Pearson's test: the sum of (found - expected)^2 / expected over n bins is n - 1 on average, with
+// a standard deviation of sqrt(2 (n - 1)). Six of these never happen by chance; a poor hash has
+// hundreds.
+double chi_squared(const std::vector<int>& bins, double expected)
+{
+    double sum = 0;
+    for (const int found : bins) sum += (found - expected) * (found - expected) / expected;
+    return sum;
+}
+
+TEST(Random, IsUniformOverFlakesOverStepsAndOverPairsOfStreams)
+{
+    const Weather weather = make_weather("snow", 65536, 7);
+    constexpr int count = 65536, bins = 256;
+    const double most = bins - 1 + 6 * std::sqrt(2.0 * (bins - 1));
+    for (uint stream = 0; stream < 6; ++stream) {
+        std::vector<int> flakes(bins), steps(bins), pairs(bins);
+        for (uint n = 0; n < count; ++n) {
+            const float value = random_unit(n, 17, stream, weather);
+            ASSERT_TRUE(value >= 0 && value < 1);
+            ++flakes[size_t(value * bins)];
+            ++steps[size_t(random_unit(17, n, stream, weather) * bins)];
+            const float other = random_unit(n, 17, stream + 1, weather);
+            ++pairs[size_t(value * 16) * 16 + size_t(other * 16)];
+        }
+        EXPECT_LT(chi_squared(flakes, count / bins), most) << "stream " << stream;
+        EXPECT_LT(chi_squared(steps, count / bins), most) << "stream " << stream;
+        EXPECT_LT(chi_squared(pairs, count / bins), most) << "stream " << stream;
+    }
+}
+
+// A bit of the input turns each bit of the output over half the time ("avalanche").
+TEST(Random, HashMixesEveryBitIntoEveryBit)
+{
+    constexpr int count = 20000;
+    for (uint in = 0; in < 32; ++in) {
+        int turned[32] = {};
+        for (uint n = 0; n < count; ++n) {
+            const uint change = hash(n) ^ hash(n ^ 1u << in);
+            for (uint out = 0; out < 32; ++out) turned[out] += int(change >> out & 1);
+        }
+        // 0.05: a bit that does not depend on the input turns never or always; chance alone is
+        // 0.004.
+        for (uint out = 0; out < 32; ++out) {
+            EXPECT_NEAR(turned[out] / double(count), 0.5, 0.05) << in << " -> " << out;
+        }
+    }
+}

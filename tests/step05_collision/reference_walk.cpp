@@ -1,0 +1,68 @@
+// Step 5 on the CPU, without a window: the same options, the same physics, the same walk through
+// the voxels, written as plainly as can be. test_collision.py compares its dump with the program's.
+// Leaves the voxels, too, in the file of the dump's name with ".voxels" behind it: origin (3
+// floats, m), edge (float, m), resolution (int), and the words of 32 bits.
+#include <fstream>
+#include <iostream>
+
+#include "common/harness/options.hpp"
+#include "common/harness/dump.hpp"
+#include "common/scene/scene.hpp"
+#include "step05_collision/voxel_grid.hpp"
+
+namespace snow {
+
+VoxelGrid grid;
+vec3 grid_origin;
+float cell_size;
+
+bool solid(ivec3 cell)
+{
+    return grid.solid(cell);
+}
+
+#include "step05_collision/voxel_walk.glsl"
+
+Particle one_step(const Particle& old, uint index, uint step, const Weather& weather)
+{
+    Particle p = settle(move(old, weather), weather);
+    if (airborne(old)) p = collide(old.position, p, weather);
+    p = accelerate(p, weather.wind, index, step, weather);
+    return gone(p, index, weather) ? born(index, step, weather) : p;
+}
+
+}  // namespace snow
+
+int main(int argc, char** argv)
+try {
+    const CommandLine options = parse_command_line(argc, argv,
+                                          {.name = "reference_walk",
+                                           .idea = "step 5 on the CPU, for the tests",
+                                           .minimum_gl = 0,
+                                           .variants = {{"voxels", nullptr}},
+                                           .has_scene = true});
+    snow::grid = voxelise(load_scene(options.scene, options.up), options.voxels);
+    snow::grid_origin = snow::grid.origin;
+    snow::cell_size = snow::grid.cell_size;
+
+    std::vector<snow::Particle> flakes = make_flakes(options.weather);
+    for (unsigned step = 0; step < options.frames.value_or(300); ++step) {
+        for (unsigned i = 0; i < flakes.size(); ++i) {
+            flakes[i] = one_step(flakes[i], i, step, options.weather);
+        }
+    }
+    dump_flakes(options.dump, flakes);
+
+    std::ofstream file(options.dump.string() + ".voxels", std::ios::binary);
+    const auto write = [&](const void* data, size_t bytes) {
+        file.write(static_cast<const char*>(data), std::streamsize(bytes));
+    };
+    write(&snow::grid.origin, sizeof snow::grid.origin);
+    write(&snow::grid.cell_size, sizeof snow::grid.cell_size);
+    write(&snow::grid.resolution, sizeof snow::grid.resolution);
+    write(snow::grid.words.data(), 4 * snow::grid.words.size());
+    return 0;
+} catch (const std::exception& failure) {
+    std::cerr << failure.what() << std::endl;
+    return 1;
+}

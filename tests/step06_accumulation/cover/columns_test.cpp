@@ -1,0 +1,188 @@
+// Snow that lies, in a window of its own: what slides comes to rest at the angle of repose, and no
+// unit of mass is lost.
+#include "step06_accumulation/cover/columns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "common/harness/options.hpp"
+#include "common/uniform_block.hpp"
+#include "common/window.hpp"
+#include "step06_accumulation/cover/snow_cover.hpp"
+
+namespace {
+
+using glm::ivec3;
+
+constexpr GLuint full = 65536;
+
+const std::string floor_obj = "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 -8\nf 1 2 3 4\n"
+                              // a table of 4 m, 2 m high, off the middle
+                              "v 2 2 2\nv 2 2 6\nv 6 2 6\nv 6 2 2\nf 5 6 7 8\n";
+
+// The window, and a scene of 64^3 voxels in it, on which no flake falls.
+class SnowThatLies : public testing::Test {
+protected:
+    static CommandLine command()
+    {
+        const std::string scene = testing::TempDir() + "/snowfall_floor.obj";
+        std::ofstream(scene) << floor_obj;
+        std::vector<std::string> words = {"columns_test", "--scene", scene,  "--voxels",
+                                          "64",           "--size",  "64x64"};
+        std::vector<char*> argv;
+        for (std::string& word : words) argv.push_back(word.data());
+        return parse_command_line(int(argv.size()), argv.data(),
+                                  {.name = "columns_test",
+                                   .idea = "a test",
+                                   .minimum_gl = 4.3,
+                                   .variants = {{"cells", nullptr}},
+                                   .has_scene = true});
+    }
+
+    size_t index(ivec3 cell) const
+    {
+        const int n = solid.grid.resolution;
+        return size_t(cell.x) + size_t(n) * (size_t(cell.y) + size_t(n) * size_t(cell.z));
+    }
+
+    // Puts so many full cells on top of each other, from the first above the floor, or the table.
+    void pour(ivec3 cell, int height)
+    {
+        while (solid.grid.solid(cell)) ++cell.y;
+        bind_storage(COVER_BUFFER);
+        for (int i = 0; i < height; ++i, ++cell.y) {
+            glBufferSubData(GL_SHADER_STORAGE_BUFFER, GLintptr(index(cell) * sizeof full),
+                            sizeof full, &full);
+        }
+    }
+
+    // The buffer that the shaders find at `binding`.
+    void bind_storage(GLuint binding) const
+    {
+        cover.bind();
+        GLint buffer = 0;
+        glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, binding, &buffer);
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, GLuint(buffer));
+    }
+
+    uint64_t melted() const
+    {
+        uint64_t sums[2] = {};  // deposited, melted
+        bind_storage(SUMS_BUFFER);
+        glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof sums, sums);
+        return sums[1];
+    }
+
+    void let_settle(unsigned rounds)
+    {
+        weather_block.update(WEATHER_BLOCK, window.options().weather);
+        columns.settle(64 * rounds, int(64 * rounds));
+    }
+
+    // Height of the snow in the column of `cell`, on what is below, in cells.
+    double height(const std::vector<GLuint>& mass, ivec3 cell) const
+    {
+        while (solid.grid.solid(cell)) ++cell.y;
+        double sum = 0;
+        for (; mass[index(cell)] > 0; ++cell.y) sum += double(mass[index(cell)]) / full;
+        return sum;
+    }
+
+    static uint64_t sum(const std::vector<GLuint>& mass)
+    {
+        uint64_t total = 0;
+        for (const GLuint cell : mass) total += cell;
+        return total;
+    }
+
+    Window window{command()};
+    const double slope = std::tan(glm::radians(window.options().weather.repose));  // the steepest
+    SolidScene solid{window};
+    SnowCover cover{solid.grid};
+    Columns columns{solid, cover};
+    UniformBlock<snow::Weather> weather_block;
+};
+
+TEST_F(SnowThatLies, BecomesAConeOfTheAngleOfRepose)
+{
+    const ivec3 middle(20, 0, 20);
+    pour(middle, 40);
+    for (int side : {-1, 1}) {
+        pour(middle + ivec3(side, 0, 0), 40);
+        pour(middle + ivec3(0, 0, side), 40);
+    }
+    let_settle(60);
+    const std::vector<GLuint> mass = cover.read();
+    EXPECT_EQ(sum(mass), uint64_t(5 * 40) * full);
+
+    ivec3 top = middle;
+    for (int x = 4; x < 36; ++x) {
+        for (int z = 4; z < 36; ++z) {
+            const ivec3 cell(x, 0, z);
+            if (height(mass, cell) > height(mass, top)) top = cell;
+            for (const ivec3 side :
+                 {ivec3(1, 0, 0), ivec3(0, 0, 1), ivec3(1, 0, 1), ivec3(1, 0, -1)}) {
+                // A tenth of a cell more: the last of it slides ever more slowly.
+                EXPECT_LE(std::abs(height(mass, cell) - height(mass, cell + side)),
+                          slope * glm::length(glm::vec3(side)) + 0.1)
+                    << x << ", " << z;
+            }
+        }
+    }
+    EXPECT_LE(glm::distance(glm::vec3(top), glm::vec3(middle)), 1.5f);
+    double drop = 0;
+    constexpr int away = 4;  // cells, well within its foot
+    for (int side : {-away, away}) {
+        drop += height(mass, top) - height(mass, top + ivec3(side, 0, 0));
+        drop += height(mass, top) - height(mass, top + ivec3(0, 0, side));
+    }
+    // A tenth: the pile is an octagon, and lies up to a cell beside its middle.
+    EXPECT_NEAR(drop / (4 * away), slope, 0.1 * slope);
+}
+
+TEST_F(SnowThatLies, SlidesOverTheEdgeOfATable)
+{
+    const auto cell_at = [&](float x, float y, float z) {
+        return ivec3((glm::vec3(x, y, z) - solid.grid.origin) / solid.grid.cell_size);
+    };
+    for (float x = 2.5f; x < 5.6f; x += solid.grid.cell_size) pour(cell_at(x, 2, 2.3f), 20);
+    const uint64_t before = sum(cover.read());
+    let_settle(60);
+    const std::vector<GLuint> mass = cover.read();
+    EXPECT_EQ(sum(mass), before);
+    EXPECT_GT(height(mass, cell_at(4, 0, 1.7f)), 1) << "beside the table";
+    EXPECT_GT(height(mass, cell_at(4, 2, 3)), 1) << "on the table";
+    EXPECT_EQ(height(mass, cell_at(4, 0, 4)), 0) << "under the table";
+
+    ivec3 edge = cell_at(4, 2, 3);
+    while (solid.grid.solid(edge - ivec3(0, 0, 1))) --edge.z;
+    EXPECT_NEAR(height(mass, edge), 0.03 / solid.grid.cell_size + 0.5 * slope, 0.1)
+        << "3 cm, and half a cell's worth of slope";
+}
+
+TEST_F(SnowThatLies, MeltsFasterTheWarmerItIs)
+{
+    const ivec3 cell(20, 0, 20);
+    pour(cell, 10);
+    snow::Weather thaw = window.options().weather;
+    double lost_before = 0;
+    for (const float degrees : {-5.0f, 0.0f, 5.0f, 10.0f}) {
+        thaw.temperature = degrees;
+        weather_block.update(WEATHER_BLOCK, thaw);
+        const double before = height(cover.read(), cell);
+        columns.melt(640, 640, thaw);
+        const std::vector<GLuint> mass = cover.read();
+        const double lost = before - height(mass, cell);
+        EXPECT_EQ(sum(mass) + melted(), uint64_t(10) * full);
+        EXPECT_EQ(lost > 0, degrees > 0) << degrees;
+        if (degrees == 10) {
+            EXPECT_NEAR(lost, 2 * lost_before, 20.0 / full)
+                << "a part of a unit is cut off each time";
+        }
+        lost_before = lost;
+    }
+}
+
+}  // namespace

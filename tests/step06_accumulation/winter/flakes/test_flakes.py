@@ -1,0 +1,147 @@
+"""How step 6 draws and weighs its flakes: where they are, as bright as they should be, as heavy as large."""
+
+import numpy
+import PIL.Image
+import pytest
+
+import scenes
+from conftest import SMALL, Flakes
+from reports import Cover, cover_sums, ledger
+
+STEP = "step06_accumulation"
+WIDTH, HEIGHT = 480, 270
+AZIMUTH, ELEVATION, DISTANCE = 40, 5, 30  # degrees, degrees, m: all flakes are in the picture
+
+
+def steps(count):
+    """So many steps, 20 a frame, as drawing takes the time."""
+    assert count % 20 == 0
+    return ["--timelapse", 20, "--frames", count // 20]
+
+
+@pytest.fixture
+def draw(programs, tmp_path):
+    """The picture of an empty plain in the snow, as numbers from 0 to 255, and the flakes in it."""
+    def draw(*arguments):
+        programs.run_well(STEP, "--size", f"{WIDTH}x{HEIGHT}", "--scene", "none", "--voxels", 32,
+                          "--camera", f"{AZIMUTH},{ELEVATION},{DISTANCE}", *arguments,
+                          "--screenshot", tmp_path / "flakes.png", "--dump", tmp_path / "flakes.csv")
+        picture = PIL.Image.open(tmp_path / "flakes.png").convert("RGB")
+        return numpy.asarray(picture).astype(int), Flakes(tmp_path / "flakes.csv")
+    return draw
+
+
+def seen_from_camera(points):
+    """Where these points are in the picture, x and y in pixels, and how many pixels a metre is there."""
+    azimuth, elevation, half_view = numpy.radians(AZIMUTH), numpy.radians(ELEVATION), 0.82 / 2
+    back = numpy.array([numpy.cos(elevation) * numpy.sin(azimuth), numpy.sin(elevation),
+                        numpy.cos(elevation) * numpy.cos(azimuth)])
+    right = numpy.array([numpy.cos(azimuth), 0, -numpy.sin(azimuth)])
+    from_eye = points - ((0, 1.6, 0) + DISTANCE * back)
+    scale = HEIGHT / 2 / numpy.tan(half_view) / -(from_eye @ back)
+    return numpy.stack([WIDTH / 2 + scale * (from_eye @ right),
+                        HEIGHT / 2 - scale * (from_eye @ numpy.cross(back, right))], axis=1), scale
+
+
+def near(places, radius):
+    """The pixels whose middle is no further than so many pixels from one of these places."""
+    y, x = numpy.mgrid[0:HEIGHT, 0:WIDTH] + 0.5
+    mask = numpy.zeros((HEIGHT, WIDTH), dtype=bool)
+    for place_x, place_y in places:
+        mask |= (x - place_x) ** 2 + (y - place_y) ** 2 <= radius ** 2
+    return mask
+
+
+def test_billboards_are_where_the_flakes_are(draw):
+    """Every flake is seen where it is, and nowhere else is anything to be seen."""
+    shared = [*steps(400), "--set", "diameter_0=0.4", "--set", "diameter_1=0.4"]
+    picture, flakes = draw("--particles", 12, *shared)
+    empty, _ = draw("--particles", 0, *shared)
+    changed = abs(picture - empty).max(axis=2)
+    places, _ = seen_from_camera(flakes.position[flakes.airborne])
+    assert len(places) >= 4
+    for place in places:
+        assert changed[near([place], 1)].max() > 8
+    places, _ = seen_from_camera(flakes.position[flakes.age >= 0])
+    assert changed[~near(places, 5)].max() <= 1
+
+
+def test_brightness_does_not_depend_on_speed(draw):
+    """What falls some pixels in a frame is a streak, fainter than what hardly moves, but in sum it sends
+    as much light here, for its size. So the picture does not flash where a frame takes long."""
+    shared = ["--particles", 100, "--set", "melt_time=0", "--set", "diameter_0=0.25",
+              "--set", "diameter_1=0.25", "--set", "sky=0", "--set", "fog=0"]
+    light, area = [], []
+    for count, speed in ((500, []), (40, ["--set", "gravity=-30", "--set", "speed_0=200",
+                                          "--set", "speed_1=300"])):
+        picture, flakes = draw(*steps(count), *speed, *shared)
+        brightness = (picture - picture[0, 0]).sum(axis=2)
+        _, scale = seen_from_camera(flakes.position[flakes.airborne])
+        light.append(brightness.sum() / (scale ** 2).sum())
+        area.append((brightness > 6).sum() / flakes.airborne.sum())
+    assert area[1] > 1.5 * area[0]
+    # 0.1: a hundred flakes of some pixels scatter by 3 %, and fast ones hide each other a little more.
+    assert light[1] == pytest.approx(light[0], rel=0.1)
+
+
+def test_drops_splash_where_they_come_down(draw):
+    shared = ["--weather", "rain", "--particles", 300, *steps(120),
+              "--set", "diameter_0=0.1", "--set", "diameter_1=0.1"]
+    empty, _ = draw("--weather", "rain", "--particles", 0, *steps(120))
+    dry, drops = draw(*shared, "--set", "splashes=0")
+    wet, _ = draw(*shared)
+    down, _ = seen_from_camera(drops.position[drops.rest > 0])
+    streaks, _ = seen_from_camera(drops.position[drops.airborne])
+    assert len(down) > 10
+    splashes = abs(wet - dry).max(axis=2)
+    assert (splashes > 4).sum() > len(down)
+    # Droplets fly 0.15 m far and 0.1 m high, less than 2 pixels, and are 2 pixels wide.
+    assert splashes[~near(down, 4)].max() == 0
+    assert abs(dry - empty).max(axis=2)[~near(streaks, 8)].max() == 0
+
+
+def test_hail_bounces(programs):
+    """Also where a floor lies on the ground, as in the courtyard."""
+    for step in ("step05_collision", STEP):
+        hail = programs.flakes(step, "--weather", "hail", "--particles", 1000, *steps(200),
+                               "--voxels", 64, "--seed", 7)
+        rising = hail.velocity[:, 1] > 0.5
+        assert rising.sum() > 30
+        # 0.3 of at most 18 m/s + 15 %: up to 2 m above the roof's ridge, at 4.6 m.
+        assert hail.position[rising, 1].max() < 7
+        assert (hail.position[rising, 1] < 0.5).sum() > 10
+
+
+@pytest.fixture
+def deposit(programs, tmp_path):
+    """Mass that has come to lie on open ground after so many steps of hail, of how many stones, and where."""
+    (tmp_path / "floor.obj").write_text(scenes.text(scenes.FLOOR))
+
+    def deposit(count, *arguments):
+        result = programs.run_well(STEP, *SMALL, "--scene", tmp_path / "floor.obj", "--voxels", 64,
+                                   "--weather", "hail", *steps(count), "--set", "melt_time=0.3",
+                                   "--set", "settling=0", *arguments,
+                                   "--dump-cover", tmp_path / "cover.csv")
+        _, _, mass = cover_sums(result.stdout)
+        return mass, ledger(result.stdout)["deposited"], Cover(tmp_path / "cover.csv")
+    return deposit
+
+
+def test_mass_of_a_flake_is_that_of_its_size(deposit):
+    """Two stones, one of each cloud, leave two heaps: their masses are as the cubes of diameters."""
+    _, count, cover = deposit(240, "--particles", 2, "--set", "variation=0", "--set", "snowfall=0.01")
+    assert count == 2
+    away = abs(cover.place - cover.place[0])[:, [0, 2]].max(axis=1)
+    heaps = sorted(cover.mass[near_first].sum() for near_first in (away < 5 * cover.cell,
+                                                                   away >= 5 * cover.cell))
+    assert heaps[1] / heaps[0] == pytest.approx((0.05 / 0.035) ** 3, rel=0.001)
+    assert len(cover.mass) == 50  # 25 columns each
+
+
+def test_depth_in_a_minute_is_as_stated(deposit):
+    """With stones that differ and bounce, over 50 seconds: 18 times around the pool."""
+    more = ["--particles", 1000, "--set", "snowfall=0.2"]
+    before, _, cover = deposit(200, *more)
+    after, _, _ = deposit(3200, *more)
+    depth = (after - before) / cover.full * cover.cell ** 3 / 16 ** 2  # m: the clouds are 16 m wide
+    assert depth == pytest.approx(0.2 * 50 / 60, rel=0.05)

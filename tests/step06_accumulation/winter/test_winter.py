@@ -1,0 +1,79 @@
+"""Step 6 with all its parts at once: winters of minutes, as they look and as they add up."""
+
+import re
+
+import pytest
+
+from conftest import SMALL
+from pictures import check_picture, read
+from reports import cover_sums, ledger
+
+STEP = "step06_accumulation"
+WINTER = ["--size", "320x180", "--voxels", 64, "--particles", 1000, "--seed", 7]
+CAMERAS = {"courtyard": "41,15,17.5", "table": "60,18,7", "roof": "200,35,14"}
+
+
+@pytest.mark.parametrize("camera", CAMERAS)
+def test_picture_after_0_60_and_300_seconds(request, programs, tmp_path, camera):
+    """A frame is 5 s: the 12th comes after 60 s, the 60th after 300 s."""
+    view = [*WINTER, "--camera", CAMERAS[camera]]
+    programs.run_well(STEP, *view, "--frames", 1, "--screenshot", tmp_path / "first.png")
+    check_picture(request, programs, f"winter_{camera}_0s", read(tmp_path / "first.png"))
+    programs.run_well(STEP, *view, "--timelapse", 300, "--frames", 60, "--record", tmp_path)
+    check_picture(request, programs, f"winter_{camera}_60s", read(tmp_path / "000012.png"))
+    check_picture(request, programs, f"winter_{camera}_300s", read(tmp_path / "000060.png"))
+
+
+def test_picture_at_dusk(request, programs, tmp_path):
+    programs.run_well(STEP, *WINTER, "--set", "sun_height=-3", "--timelapse", 300, "--frames", 12,
+                      "--screenshot", tmp_path / "dusk.png")
+    check_picture(request, programs, "winter_dusk_60s", read(tmp_path / "dusk.png"))
+
+
+@pytest.mark.parametrize("weather, wind", [
+    (["snow"], ["wind_x=4"]),
+    (["snow", "--set", "temperature=3"], ["wind_z=4"]),
+    (["hail"], ["wind_x=-6"]),
+    (["rain"], ["wind_z=-8"]),
+])
+def test_sums_after_10000_steps(programs, weather, wind):
+    """With all parts on: not a flake, not a unit of mass is lost."""
+    result = programs.run_well(STEP, *SMALL, "--voxels", 32, "--particles", 1000,
+                               "--timelapse", 500, "--frames", 20,
+                               "--weather", *weather, "--set", *wind)
+    entries = ledger(result.stdout)
+    assert entries["released"] == sum(entries.values()) - entries["released"] > 1000
+    lying, melted, deposited = cover_sums(result.stdout)
+    assert lying + melted == deposited
+    assert (deposited > 0) == (weather[0] != "rain")
+    assert (melted > 0) == (len(weather) > 1)
+
+
+def switches(programs):
+    """Every part that --help says can be switched, and whether it is on."""
+    return re.findall(r"^  (\w+) +([01]) on/off", programs.run(STEP, "--help").stdout, re.MULTILINE)
+
+
+def test_no_complaint_from_opengl_whatever_is_switched(programs):
+    """--debug prints every error and message of OpenGL on stderr; run_well wants that empty."""
+    parts = switches(programs)
+    assert len(parts) > 10
+    other = [f"{name}={1 - int(on)}" for name, on in parts]
+    for changed in other, other[::2], other[1::2]:
+        settings = [word for change in changed for word in ("--set", change)]
+        programs.run_well(STEP, *SMALL, "--voxels", 32, "--debug", "--timelapse", 60,
+                          "--frames", 5, "--set", "sun_height=-1", *settings)
+
+
+def test_a_part_that_is_off_has_no_stage(programs, tmp_path):
+    """What is off costs nothing: its stage does not even appear among the times."""
+    stages = {"settling": "settle", "melting": "melt", "shadow": "shadow", "sky": "sky",
+              "lamp": "lamp", "arrows": "arrows"}
+    header = {}
+    for on in (0, 1):
+        settings = [word for part in stages for word in ("--set", f"{part}={on}")]
+        programs.run_well(STEP, *SMALL, "--voxels", 32, "--frames", 2, *settings,
+                          "--csv", tmp_path / "times.csv")
+        header[on] = (tmp_path / "times.csv").read_text().split("\n")[0]
+    for stage in stages.values():
+        assert f",{stage}_gpu_ms" in header[1] and f",{stage}_" not in header[0]
