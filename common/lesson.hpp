@@ -18,6 +18,13 @@ struct Variant {
     std::vector<snow::Parameter> (*parameters)() = nullptr;
 };
 
+// Something that the specification allows a card to have none of, and the step needs.
+struct Limit {
+    unsigned name;     // GL_MAX_VERTEX_...
+    int minimum;       // that will do
+    const char* what;  // in words
+};
+
 struct Lesson {
     std::string name;                          // that of its folder
     std::string idea;                          // one sentence for --help
@@ -27,6 +34,7 @@ struct Lesson {
     bool has_scene = false;                    // takes --scene, --voxels and --up
     bool has_cover = false;                    // takes --dump-cover
     std::vector<const char*> extensions = {};  // that OpenGL must have besides its version
+    std::vector<Limit> limits = {};
 };
 
 // What a variant may want to know of the command line.

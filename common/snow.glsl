@@ -4,11 +4,11 @@
 // ground is y = 0.
 
 #ifdef __cplusplus
-#define INLINE inline         // a function in a C++ header needs the word; GLSL does not have it
-#define IN(type) const type&  // read where it stands; GLSL has no references
+#define SNOW_INLINE inline         // GLSL does not have the word; a C++ header needs it
+#define SNOW_IN(type) const type&  // read where it stands; GLSL has no references
 #else
-#define INLINE
-#define IN(type) type
+#define SNOW_INLINE
+#define SNOW_IN(type) type
 #endif
 
 const uint snow_kind = 0u, rain_kind = 1u, hail_kind = 2u;
@@ -51,47 +51,47 @@ struct Weather {
 // ---- Random numbers: a hash of who asks and when, so they need no state and agree on CPU and GPU.
 
 // Mixes all bits of x into all bits of the result (constants: Wellons' "hash prospector" search).
-INLINE uint hash(uint x)
+SNOW_INLINE uint hash(uint x)
 {
     x = (x ^ (x >> 16u)) * 0x21f0aaadu;
     x = (x ^ (x >> 15u)) * 0xd35a2d97u;
     return x ^ (x >> 15u);
 }
 
-// 32 random bits for flake `index` at `step`; each use of randomness has a `stream` of its own.
-INLINE uint random_bits(uint index, uint step, uint stream, IN(Weather) weather)
+// 32 random bits for flake `index` at time step `tick`; each use of them has a `stream` of its own.
+SNOW_INLINE uint random_bits(uint index, uint tick, uint stream, SNOW_IN(Weather) weather)
 {
-    return hash(index ^ hash(step * 8u + stream + weather.seed * 0x9e3779b9u));
+    return hash(index ^ hash(tick * 8u + stream + weather.seed * 0x9e3779b9u));
 }
 
 // Uniform in [0, 1): the upper 24 bits, as many as a float holds exactly.
-INLINE float random_unit(uint index, uint step, uint stream, IN(Weather) weather)
+SNOW_INLINE float random_unit(uint index, uint tick, uint stream, SNOW_IN(Weather) weather)
 {
-    return float(random_bits(index, step, stream, weather) >> 8u) * (1.0f / 16777216.0f);
+    return float(random_bits(index, tick, stream, weather) >> 8u) * (1.0f / 16777216.0f);
 }
 
 // ---- What a flake is, all its life: functions of its index alone.
 
 // 1 give or take the variation; one number for speed, diameter and lifetime: large flakes fall
 // faster.
-INLINE float individuality(uint index, IN(Weather) weather)
+SNOW_INLINE float individuality(uint index, SNOW_IN(Weather) weather)
 {
     return 1.0f + weather.variation * (2.0f * random_unit(index, 0u, 0u, weather) - 1.0f);
 }
 
-INLINE bool of_first_emitter(uint index, IN(Weather) weather)
+SNOW_INLINE bool of_first_emitter(uint index, SNOW_IN(Weather) weather)
 {
     return index < weather.particles / 2u;
 }
 
-INLINE float terminal_speed(uint index, IN(Weather) weather)  // m/s
+SNOW_INLINE float terminal_speed(uint index, SNOW_IN(Weather) weather)  // m/s
 {
     float mean = of_first_emitter(index, weather) ? weather.emitters[0].terminal_speed
                                                   : weather.emitters[1].terminal_speed;
     return mean * individuality(index, weather);
 }
 
-INLINE float diameter(uint index, IN(Weather) weather)  // m
+SNOW_INLINE float diameter(uint index, SNOW_IN(Weather) weather)  // m
 {
     float mean = of_first_emitter(index, weather) ? weather.emitters[0].diameter
                                                   : weather.emitters[1].diameter;
@@ -102,13 +102,13 @@ INLINE float diameter(uint index, IN(Weather) weather)  // m
 
 // A flake at a random place in its cloud, drifting with the air. The cloud stands upwind by as far
 // as the wind carries its flakes while they fall, so that they come down on the scene in any wind.
-INLINE Particle born(uint index, uint step, IN(Weather) weather)
+SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
 {
     bool first = of_first_emitter(index, weather);
     vec3 centre = first ? weather.emitters[0].centre : weather.emitters[1].centre;
     vec3 half_size = first ? weather.emitters[0].half_size : weather.emitters[1].half_size;
-    vec3 corner = vec3(random_unit(index, step, 1u, weather), random_unit(index, step, 2u, weather),
-                       random_unit(index, step, 3u, weather));
+    vec3 corner = vec3(random_unit(index, tick, 1u, weather), random_unit(index, tick, 2u, weather),
+                       random_unit(index, tick, 3u, weather));
     Particle p;
     p.position = centre + half_size * (2.0f * corner - 1.0f);
     vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
@@ -123,7 +123,7 @@ INLINE Particle born(uint index, uint step, IN(Weather) weather)
 // Before its first birth a flake waits, out of sight above the world, at a negative age: a random
 // part of one cycle of falling and lying. So births are spread evenly from the first second on,
 // without the burst and the gap that a common start gives (Patrick 2000, 4.2.2).
-INLINE Particle unborn(uint index, IN(Weather) weather)
+SNOW_INLINE Particle unborn(uint index, SNOW_IN(Weather) weather)
 {
     float height = of_first_emitter(index, weather) ? weather.emitters[0].centre.y
                                                     : weather.emitters[1].centre.y;
@@ -136,9 +136,9 @@ INLINE Particle unborn(uint index, IN(Weather) weather)
     return p;
 }
 
-// ---- One step of the motion, in the order move, settle, (collide,) accelerate, gone -> born.
+// ---- One time step of the motion, in the order move, settle, (collide,) accelerate, gone -> born.
 
-INLINE bool airborne(Particle p)
+SNOW_INLINE bool airborne(Particle p)
 {
     // One comparison, not two joined by &&: that is a branch, and would keep the CPU's loops from
     // being vectorised.
@@ -146,7 +146,7 @@ INLINE bool airborne(Particle p)
 }
 
 // Explicit Euler, first half: p' = p + dt v. What waits or lies has velocity zero.
-INLINE Particle move(Particle p, IN(Weather) weather)
+SNOW_INLINE Particle move(Particle p, SNOW_IN(Weather) weather)
 {
     p.age += weather.time_step;
     p.position += weather.time_step * p.velocity;
@@ -155,14 +155,14 @@ INLINE Particle move(Particle p, IN(Weather) weather)
 
 // The part of its speed that a flake keeps when it comes down on a surface: 0, and it stays there,
 // unless it is fast enough to bounce.
-INLINE float speed_kept(Particle p, IN(Weather) weather)
+SNOW_INLINE float speed_kept(Particle p, SNOW_IN(Weather) weather)
 {
     const float least_rebound = 0.5f;  // m/s
     return -weather.restitution * p.velocity.y < least_rebound ? 0.0f : weather.restitution;
 }
 
 // A flake that has come down on a surface.
-INLINE Particle land(Particle p, IN(Weather) weather)
+SNOW_INLINE Particle land(Particle p, SNOW_IN(Weather) weather)
 {
     if (p.velocity.y > 0.0f) return p;  // it has just bounced, off the ground under the surface
     float kept = speed_kept(p, weather);
@@ -172,7 +172,7 @@ INLINE Particle land(Particle p, IN(Weather) weather)
 }
 
 // A flake that reaches the ground lands on it; one that lies grows older there.
-INLINE Particle settle(Particle p, IN(Weather) weather)
+SNOW_INLINE Particle settle(Particle p, SNOW_IN(Weather) weather)
 {
     bool on_ground = airborne(p) && p.position.y <= 0.0f;
     float bounce = speed_kept(p, weather);
@@ -188,15 +188,16 @@ INLINE Particle settle(Particle p, IN(Weather) weather)
 // quadratic in the speed u relative to it and equal to gravity at terminal speed:
 // a = g - |g| |u| u / terminal^2. r is a random push that lasts 16 steps, the flutter of a flake.
 // air: its velocity around the flake, m/s; weather.wind where that blows evenly.
-INLINE Particle accelerate(Particle p, vec3 air, uint index, uint step, IN(Weather) weather)
+SNOW_INLINE Particle accelerate(Particle p, vec3 air, uint index, uint tick,
+                                SNOW_IN(Weather) weather)
 {
     float terminal = terminal_speed(index, weather);
     vec3 u = p.velocity - air;
-    // No drag stops a flake in less than one step: beyond that limit Euler's method would overshoot
-    // and, in a strong gust, explode.
+    // No drag stops a flake in less than one time step: beyond that limit Euler's method would
+    // overshoot and, in a strong gust, explode.
     float drag =
         min(length(weather.gravity) * length(u) / (terminal * terminal), 1.0f / weather.time_step);
-    uint bits = random_bits(index, step / 16u, 5u, weather);
+    uint bits = random_bits(index, tick / 16u, 5u, weather);
     vec3 push =
         vec3(float(bits & 1023u), float((bits >> 10u) & 1023u), float((bits >> 20u) & 1023u));
     vec3 r = weather.turbulence * (push * (2.0f / 1023.0f) - 1.0f);
@@ -205,14 +206,14 @@ INLINE Particle accelerate(Particle p, vec3 air, uint index, uint step, IN(Weath
 }
 
 // What is left of a flake's time to lie on a surface, s.
-INLINE float melt_left(Particle p, IN(Weather) weather)
+SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
 {
     return weather.melt_time - p.rest;
 }
 
 // What is left of its lifetime (s) or of the way out of the world (m), whichever is less. A waiting
 // flake is outside the world.
-INLINE float life_left(Particle p, uint index, IN(Weather) weather)
+SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
 {
     float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
     float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
@@ -220,16 +221,16 @@ INLINE float life_left(Particle p, uint index, IN(Weather) weather)
     return min(weather.lifetime * individuality(index, weather) - p.age, min(x, min(y, z)));
 }
 
-INLINE bool gone(Particle p, uint index, IN(Weather) weather)
+SNOW_INLINE bool gone(Particle p, uint index, SNOW_IN(Weather) weather)
 {
     float left = min(melt_left(p, weather), life_left(p, index, weather));
     return (p.age >= 0.0f ? left : 0.0f) < 0.0f;
 }
 
-// A whole step of a flake in the open.
-INLINE Particle advance(Particle p, uint index, uint step, IN(Weather) weather)
+// A whole time step of a flake in the open.
+SNOW_INLINE Particle advance(Particle p, uint index, uint tick, SNOW_IN(Weather) weather)
 {
-    p = accelerate(settle(move(p, weather), weather), weather.wind, index, step, weather);
-    if (gone(p, index, weather)) p = born(index, step, weather);
+    p = accelerate(settle(move(p, weather), weather), weather.wind, index, tick, weather);
+    if (gone(p, index, weather)) p = born(index, tick, weather);
     return p;
 }

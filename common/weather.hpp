@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "common/snow.hpp"
@@ -21,13 +20,11 @@ std::vector<Particle> make_flakes(const Weather& weather);
 // A number that the user may change: `--set name=value`, or its slider in the panel.
 struct Parameter {
     const char* name;
-    const char* unit;
+    const char* unit;  // "on/off": a switch
     float minimum, maximum;
     const char* meaning;
     float* value;
     char key = 0;  // that turns a switch on and off
-
-    bool is_switch() const { return std::string_view(unit) == "on/off"; }
 };
 
 // Those of `weather`.

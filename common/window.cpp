@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "common/harness/driver.hpp"
-#include "common/harness/dump.hpp"
 #include "common/harness/harness.hpp"
 #include "common/harness/vsync.hpp"
 
@@ -44,6 +43,8 @@ Window::Window(CommandLine command)
     glutDisplayFunc([] {});  // required; the frames are drawn by begin_frame's caller
     glutReshapeFunc(on_reshape);
     glutKeyboardFunc(on_key);
+    glutIgnoreKeyRepeat(1);
+    harness_->let_panel_listen();
     glutMouseFunc(on_button);
     glutMotionFunc(on_motion);
     glutPassiveMotionFunc(on_motion);
@@ -51,6 +52,7 @@ Window::Window(CommandLine command)
     // it no longer is (GLX 1.4, 3.3.7), so what was computed can still be read back, and objects
     // deleted.
     glutCloseFunc([] { the_window->closing_ = the_window->gone_ = true; });
+    catch_interrupts();
     harness_->begin_run();
     glutMainLoopEvent();  // it is mapped, and may at once be of another size
 }
@@ -71,13 +73,13 @@ bool Window::begin_frame()
         return false;
     }
     size_ = next_size_;
-    harness_->begin_frame(camera_, ticks_, frame_seconds_);
+    harness_->begin_frame(camera_);
     return true;
 }
 
 void Window::swap_buffers()
 {
-    glutMainLoopEvent();
+    take_events();
     if (gone_) {  // and with it what was drawn
         harness_->drop_frame();
         return;
@@ -87,19 +89,16 @@ void Window::swap_buffers()
     harness_->frame_shown();
 }
 
-StageTimer Window::stage(const char* name)
+void Window::take_events()
 {
-    return StageTimer(harness_->timer.open() ? &harness_->timer : nullptr, name);
+    glutMainLoopEvent();
+    closing_ |= interrupted();
 }
 
-void Window::note(const std::string& line)
+bool Window::next_tick()
 {
-    harness_->controls.note = line;
-}
-
-void Window::dump(const std::vector<snow::Particle>& flakes) const
-{
-    dump_flakes(harness_->command.dump, flakes);
+    if (harness_->events_are_due()) take_events();
+    return !closing_ && harness_->pacing.next_tick();
 }
 
 void Window::on_key(unsigned char key, int x, int y)
@@ -119,14 +118,13 @@ void Window::on_key(unsigned char key, int x, int y)
 
 void Window::on_button(int button, int state, int x, int y)
 {
-    constexpr int wheel_up = 3, wheel_down = 4;  // X11's numbers, which freeglut passes on
     Window& window = *the_window;
     window.mouse_ = {x, y};
     window.dragging_ = false;
     if (window.harness_->panel_takes_button(button, state, x, y)) return;
     if (state != GLUT_DOWN) return;
-    if (button == wheel_up) window.camera_.zoom(1);
-    if (button == wheel_down) window.camera_.zoom(-1);
+    if (button == Harness::wheel_up) window.camera_.zoom(1);
+    if (button == Harness::wheel_down) window.camera_.zoom(-1);
     window.dragging_ = button == GLUT_LEFT_BUTTON;
 }
 

@@ -45,10 +45,11 @@ public:
     // Times the block it is declared in as a stage of this frame.
     StageTimer stage(const char* name);
 
-    // The time steps that this frame is to make: as many as the clock has moved on, at most 8; one
-    // in a run that is to be repeatable. All of it times --timelapse.
-    int ticks() const { return ticks_; }
-    double frame_seconds() const { return frame_seconds_; }  // since the frame before
+    // Is this frame to make another time step? As many as the clock has moved on, at most 8; one in
+    // a run that is to be repeatable. All of it times --timelapse.
+    bool next_tick();
+    int ticks() const;             // those it has made so far
+    double frame_seconds() const;  // since the frame before
 
     const Options& options() const { return options_; }
     glm::ivec2 size() const { return size_; }  // pixels, at least 1x1; stays during a frame
@@ -74,6 +75,7 @@ public:
 private:
     friend int run_lesson(int argc, char** argv, const Lesson& lesson);
     void run();
+    void take_events();
     static void on_key(unsigned char key, int x, int y);
     static void on_button(int button, int state, int x, int y);
     static void on_motion(int x, int y);
@@ -82,8 +84,6 @@ private:
     std::unique_ptr<Harness> harness_;
     const Options& options_;
     Camera camera_;
-    int ticks_ = 0;
-    double frame_seconds_ = 0;
     glm::ivec2 size_, next_size_;
     glm::ivec2 mouse_{};
     bool dragging_ = false;

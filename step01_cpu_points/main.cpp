@@ -28,7 +28,7 @@ void run(Window& window)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         {
             const auto stage = window.stage("update");
-            for (int n = 0; n < window.ticks(); ++n) update(flakes, tick++, weather);
+            while (window.next_tick()) update(flakes, tick++, weather);
         }
         {
             const auto stage = window.stage("draw");

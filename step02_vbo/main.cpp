@@ -31,7 +31,7 @@ void run(Window& window)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         {
             const auto stage = window.stage("update");
-            for (int n = 0; n < window.ticks(); ++n) update_in_one_loop(flakes, tick++, weather);
+            while (window.next_tick()) update_in_one_loop(flakes, tick++, weather);
         }
         {
             const auto stage = window.stage("upload");

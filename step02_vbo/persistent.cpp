@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/gl_object.hpp"
+#include "common/harness/driver.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/update.hpp"
 
@@ -18,7 +19,7 @@ void run_persistent(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    if (!GLEW_ARB_buffer_storage) {
+    if (!has_extension("GL_ARB_buffer_storage")) {
         throw std::runtime_error("--variant persistent needs OpenGL 4.4: try orphan");
     }
 
@@ -45,7 +46,7 @@ void run_persistent(Window& window)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         {
             const auto stage = window.stage("update");
-            for (int n = 0; n < window.ticks(); ++n) update_in_one_loop(flakes, tick++, weather);
+            while (window.next_tick()) update_in_one_loop(flakes, tick++, weather);
         }
         {
             const auto stage = window.stage("upload");

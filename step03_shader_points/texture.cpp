@@ -43,7 +43,7 @@ void run_texture(Window& window)
         weather_block.update(WEATHER_BLOCK, weather);
         {
             const auto stage = window.stage("update");
-            for (int n = 0; n < window.ticks(); ++n) update_in_one_loop(flakes, tick++, weather);
+            while (window.next_tick()) update_in_one_loop(flakes, tick++, weather);
         }
         {
             const auto stage = window.stage("upload");

@@ -3,7 +3,7 @@
 
 #include "common/weather_block.glsl"
 
-uniform uint step_number;
+uniform uint tick;  // number of the time step
 
 layout(location = 0) in vec3 old_position;
 layout(location = 1) in float old_age;

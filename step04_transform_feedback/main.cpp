@@ -50,8 +50,8 @@ void run(Window& window)
         {
             const auto stage = window.stage("update");
             update.use();
-            for (int n = 0; n < window.ticks(); ++n, ++tick) {
-                update.set("step_number", tick);
+            for (; window.next_tick(); ++tick) {
+                update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
                 glBindVertexArray(vaos[now]);
                 glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, buffers[1 - now]);

@@ -89,8 +89,8 @@ void run_texture(Window& window)
             const auto stage = window.stage("update");
             update.use();
             glViewport(0, 0, size.x, size.y);
-            for (int n = 0; n < window.ticks(); ++n, ++tick) {
-                update.set("step_number", tick);
+            for (; window.next_tick(); ++tick) {
+                update.set("tick", tick);
                 update.set_texture("position_age", POSITION_AGE_UNIT, GL_TEXTURE_2D,
                                    states[now].position_age);
                 update.set_texture("velocity_rest", VELOCITY_REST_UNIT, GL_TEXTURE_2D,

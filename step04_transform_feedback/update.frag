@@ -1,9 +1,9 @@
 #version 330 core
-// One step of one flake as a pixel: two textures hold the old state, two receive the new one.
+// One time step of one flake as a pixel: two textures hold the old state, two receive the new one.
 
 #include "common/weather_block.glsl"
 
-uniform uint step_number;
+uniform uint tick;  // number of the time step
 uniform sampler2D position_age;   // xyz position, w age
 uniform sampler2D velocity_rest;  // xyz velocity, w rest
 
@@ -16,7 +16,7 @@ void main()
     uint index = uint(pixel.y * textureSize(position_age, 0).x + pixel.x);
     vec4 motion = texelFetch(velocity_rest, pixel, 0);
     vec4 place = texelFetch(position_age, pixel, 0);
-    Particle p = advance(Particle(place.xyz, place.w, motion.xyz, motion.w), index, step_number, weather);
+    Particle p = advance(Particle(place.xyz, place.w, motion.xyz, motion.w), index, tick, weather);
     new_position_age = vec4(p.position, p.age);
     new_velocity_rest = vec4(p.velocity, p.rest);
 }

@@ -48,8 +48,8 @@ void run(Window& window)
             update.use();
             set_voxels(update, solid);
             ledger.bind();
-            for (int n = 0; n < window.ticks(); ++n, ++tick) {
-                update.set("step_number", tick);
+            for (; window.next_tick(); ++tick) {
+                update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
                 glBindVertexArray(particles.vao());
                 glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, particles.target());
@@ -100,5 +100,7 @@ int main(int argc, char** argv)
          .minimum_gl = 3.3,
          .variants = {{"voxels", run}, {"triangles", run_triangles}},
          .has_scene = true,
-         .extensions = {"GL_ARB_shader_atomic_counters"}});
+         .extensions = {"GL_ARB_shader_atomic_counters",
+                        "GL_ARB_shader_image_load_store"},  // which has glMemoryBarrier
+         .limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 4, "atomic counters in vertex shaders"}}});
 }

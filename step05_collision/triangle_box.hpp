@@ -14,8 +14,9 @@ inline bool triangle_touches_box(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec
     c -= centre;
 
     // 1-3: the axes of the box.
-    const vec3 least = glm::min(a, glm::min(b, c)), most = glm::max(a, glm::max(b, c));
-    if (glm::any(glm::greaterThan(least, half_size)) || glm::any(glm::lessThan(most, -half_size)))
+    const vec3 minimum = glm::min(a, glm::min(b, c)), maximum = glm::max(a, glm::max(b, c));
+    if (glm::any(glm::greaterThan(minimum, half_size)) ||
+        glm::any(glm::lessThan(maximum, -half_size)))
         return false;
 
     // 4: the normal of the triangle.

@@ -48,8 +48,8 @@ void run_triangles(Window& window)
             update.use();
             triangles.set(update);
             ledger.bind();
-            for (int n = 0; n < window.ticks(); ++n, ++tick) {
-                update.set("step_number", tick);
+            for (; window.next_tick(); ++tick) {
+                update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
                 glBindVertexArray(particles.vao());
                 glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, particles.target());

@@ -1,4 +1,4 @@
-// One step of one flake, as in step 4, with the scene in its way. What happens to it is counted.
+// One time step of one flake, as in step 4, with the scene in its way. What happens to it is counted.
 // Whoever includes this has defined collide(from, p, weather): what becomes of a flake p that has just
 // moved in a straight line from `from`.
 
@@ -10,10 +10,10 @@ void main()
     uint index = uint(gl_VertexID);
     Particle p = settle(move(load_flake(), weather), weather);
     if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
-    p = accelerate(p, weather.wind, index, step_number, weather);
+    p = accelerate(p, weather.wind, index, tick, weather);
     if (gone(p, index, weather)) {
         if (old_age >= 0.0) count_end(melt_left(p, weather) < 0.0);
-        p = born(index, step_number, weather);
+        p = born(index, tick, weather);
         count_release();
     }
     store_flake(p);

@@ -92,18 +92,18 @@ bool VoxelGrid::solid(ivec3 cell) const
 
 VoxelGrid voxelise(const Scene& scene, int resolution)
 {
-    vec3 least(-8, 0, -8), most(8, 6, 8);  // m, for the empty scene
-    if (!scene.vertices.empty()) least = most = scene.vertices.front().position;
+    vec3 minimum(-8, 0, -8), maximum(8, 6, 8);  // m, for the empty scene
+    if (!scene.vertices.empty()) minimum = maximum = scene.vertices.front().position;
     for (const Vertex& vertex : scene.vertices) {
-        least = glm::min(least, vertex.position);
-        most = glm::max(most, vertex.position);
+        minimum = glm::min(minimum, vertex.position);
+        maximum = glm::max(maximum, vertex.position);
     }
-    const vec3 size = most - least;
+    const vec3 size = maximum - minimum;
     VoxelGrid grid{};
     grid.resolution = resolution;
     // One voxel of air on each side.
     grid.cell_size = std::max({size.x, size.y, size.z}) / float(resolution - 2);
-    grid.origin = 0.5f * (least + most) - 0.5f * float(resolution) * grid.cell_size;
+    grid.origin = 0.5f * (minimum + maximum) - 0.5f * float(resolution) * grid.cell_size;
     // A floor at y = 0 is the upper side of the lowest voxels, so that flakes lie on it, not above
     // it.
     grid.origin.y = -0.999f * grid.cell_size;

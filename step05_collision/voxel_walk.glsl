@@ -2,13 +2,13 @@
 // this has defined `bool solid(ivec3 cell)` and grid_origin (m) and cell_size (m).
 
 // The cell that a point lies in.
-INLINE ivec3 cell_of(vec3 position)
+SNOW_INLINE ivec3 cell_of(vec3 position)
 {
     return ivec3(floor((position - grid_origin) / cell_size));
 }
 
 // The point of the cell nearest to `position`, a hair inside its faces.
-INLINE vec3 inside_cell(vec3 position, ivec3 cell)
+SNOW_INLINE vec3 inside_cell(vec3 position, ivec3 cell)
 {
     vec3 corner = grid_origin + cell_size * vec3(cell);
     return clamp(position, corner + 0.001f * cell_size, corner + 0.999f * cell_size);
@@ -18,7 +18,7 @@ INLINE vec3 inside_cell(vec3 position, ivec3 cell)
 // Woo, "A Fast Voxel Traversal Algorithm", 1987), so that no speed lets it pass through anything.
 // A solid cell entered from above: it lands (or bounces) in the empty cell it came from. Entered from another side:
 // it loses that component of its velocity and slides on with the rest of its way.
-INLINE Particle collide(vec3 from, Particle p, IN(Weather) weather)
+SNOW_INLINE Particle collide(vec3 from, Particle p, SNOW_IN(Weather) weather)
 {
     for (int slides = 0; slides < 3; ++slides) {
         vec3 way = p.position - from;

@@ -55,8 +55,8 @@ void run(Window& window)
             ledger.bind();
             cover.bind();
             update.set("flake_mass", cover.flake_mass(weather));
-            for (int n = 0; n < window.ticks(); ++n, ++tick) {
-                update.set("step_number", tick);
+            for (; window.next_tick(); ++tick) {
+                update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
                 glBindVertexArray(particles.vao());
                 glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, particles.target());
@@ -116,12 +116,16 @@ std::vector<Parameter> winter_parameters();
 
 int main(int argc, char** argv)
 {
-    return run_lesson(argc, argv,
-                      {.name = "step06_accumulation",
-                       .idea = "the snow of step 5, piling up on the scene: the full system",
-                       .minimum_gl = 4.3,
-                       .variants = {{"winter", run_winter, winter_parameters},
-                                    {"cells", run, Columns::parameters}},
-                       .has_scene = true,
-                       .has_cover = true});
+    return run_lesson(
+        argc, argv,
+        {.name = "step06_accumulation",
+         .idea = "the snow of step 5, piling up on the scene: the full system",
+         .minimum_gl = 4.3,
+         .variants = {{"winter", run_winter, winter_parameters},
+                      {"cells", run, Columns::parameters}},
+         .has_scene = true,
+         .has_cover = true,
+         .limits = {
+             {GL_MAX_VERTEX_ATOMIC_COUNTERS, 4, "atomic counters in vertex shaders"},
+             {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 2, "storage buffers in vertex shaders"}}});
 }

@@ -58,8 +58,8 @@ void run_winter(Window& window)
             cover.bind();
             winter.set_wind(update, weather);
             update.set("flake_mass", cover.flake_mass(weather) * winter.live().weight());
-            for (int n = 0; n < window.ticks(); ++n, ++tick) {
-                update.set("step_number", tick);
+            for (; window.next_tick(); ++tick) {
+                update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
                 glBindVertexArray(particles.vao());
                 for (const Range& half : winter.live()) {

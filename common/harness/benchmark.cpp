@@ -35,7 +35,7 @@ const StageTime* find_stage(const FrameTime& frame, const std::string& name)
 
 }  // namespace
 
-Timing timing_of_frame(const CommandLine& command, unsigned drawn, bool software)
+Timing timing_of_frame(const CommandLine& command, uint64_t drawn, bool software)
 {
     if (drawn >= command.warmup) return Timing::queries;
     // Software renderers answer some queries with 0: there the last frames of a benchmark's warm-up

@@ -1,6 +1,7 @@
 // What the times of many frames come to: a summary for the eye, a table for programs.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ enum class Timing {
 
 // How to time frame `drawn`, counted from 0, warm-up included. software: the renderer's timestamps
 // may read 0.
-Timing timing_of_frame(const CommandLine& command, unsigned drawn, bool software);
+Timing timing_of_frame(const CommandLine& command, uint64_t drawn, bool software);
 
 // The value below which `fraction` (0 to 1) of the values lie; 0 if there are none.
 double quantile(std::vector<double> values, double fraction);

@@ -3,9 +3,13 @@
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 
+#include <algorithm>
+#include <cctype>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <stdexcept>
 
@@ -16,10 +20,23 @@ const char* gl_string(GLenum name)
     return reinterpret_cast<const char*>(glGetString(name));
 }
 
-void GLAPIENTRY on_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message,
-                           const void*)
+volatile std::sig_atomic_t interrupt = 0;
+
+void on_interrupt(int signal)
+{
+    interrupt = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+// Advice, such as on what makes it slow, goes to stdout: stderr is for what is wrong.
+void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
+                           const GLchar* message, const void*)
 {
     if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+    if (type == GL_DEBUG_TYPE_PERFORMANCE) {
+        std::cout << "OpenGL performance: " << message << std::endl;
+        return;
+    }
     std::cerr << "OpenGL" << (severity == GL_DEBUG_SEVERITY_HIGH ? " (high severity): " : ": ")
               << message << "\n";
 }
@@ -45,6 +62,17 @@ void report_glut_errors()
     glutInitWarningFunc(on_glut_warning);
 }
 
+void catch_interrupts()
+{
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+}
+
+bool interrupted()
+{
+    return interrupt != 0;
+}
+
 void load_opengl()
 {
     glewExperimental = GL_TRUE;
@@ -54,6 +82,20 @@ void load_opengl()
         throw std::runtime_error(std::string("cannot load OpenGL's functions: ") +
                                  reinterpret_cast<const char*>(glewGetErrorString(status)));
     }
+}
+
+// Not GLEW's own flags: with glewExperimental they say that there are pointers to the functions,
+// which a driver may hand out for what it lacks.
+bool has_extension(const char* name)
+{
+    if (!GLEW_VERSION_3_0) return glewGetExtension(name);
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const GLubyte* extension = glGetStringi(GL_EXTENSIONS, GLuint(i));
+        if (std::strcmp(reinterpret_cast<const char*>(extension), name) == 0) return true;
+    }
+    return false;
 }
 
 void check_opengl(const Lesson& lesson)
@@ -68,16 +110,25 @@ void check_opengl(const Lesson& lesson)
         throw std::runtime_error(line);
     }
     for (const char* extension : lesson.extensions) {
-        if (!glewIsSupported(extension)) {
+        if (!has_extension(extension)) {
             throw std::runtime_error(lesson.name + " needs " + extension + ", which " +
-                                     gl_string(GL_RENDERER) + " lacks");
+                                     gl_string(GL_RENDERER) + " lacks: try an earlier step");
+        }
+    }
+    for (const Limit& limit : lesson.limits) {
+        GLint value = 0;
+        glGetIntegerv(limit.name, &value);
+        if (value < limit.minimum) {
+            throw std::runtime_error(lesson.name + " needs " + std::to_string(limit.minimum) + " " +
+                                     limit.what + ", " + gl_string(GL_RENDERER) + " has " +
+                                     std::to_string(value) + ": try an earlier step");
         }
     }
 }
 
 void print_debug_messages()
 {
-    if (!GLEW_KHR_debug)
+    if (!has_extension("GL_KHR_debug"))
         throw std::runtime_error("--debug needs GL_KHR_debug, which this OpenGL lacks");
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -91,8 +142,11 @@ std::string renderer_name()
 
 bool renders_in_software()
 {
-    const std::string renderer = renderer_name();
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"}) {
+    std::string renderer = renderer_name();  // "virgl (LLVMPIPE ...)", too
+    std::transform(renderer.begin(), renderer.end(), renderer.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    for (const char* name : {"llvmpipe", "lavapipe", "softpipe", "swrast", "software", "swr",
+                             "gdi generic", "basic render"}) {
         if (renderer.find(name) != std::string::npos) return true;
     }
     return false;

@@ -6,11 +6,13 @@
 #include <backends/imgui_impl_glut.h>
 #include <cctype>
 #include <cstdio>
+#include <imgui.h>
 #include <iostream>
 #include <utility>
 
 #include "common/harness/benchmark.hpp"
 #include "common/harness/driver.hpp"
+#include "common/harness/dump.hpp"
 #include "common/harness/recorder.hpp"
 #include "common/harness/tour.hpp"
 #include "common/harness/vsync.hpp"
@@ -41,20 +43,21 @@ void Harness::begin_run()
 
 bool Harness::enough() const
 {
-    return command.frames && drawn_ >= *command.frames + command.warmup;
+    return command.frames && drawn_ >= uint64_t(*command.frames) + command.warmup;
 }
 
-void Harness::begin_frame(Camera& camera, int& ticks, double& seconds)
+void Harness::begin_frame(Camera& camera)
 {
     const Clock::time_point now = Clock::now();
-    seconds = std::chrono::duration<double>(now - last_frame_).count();
-    last_frame_ = now;
-    ticks = pacing_.ticks(command, seconds, controls);
+    frame_seconds = std::chrono::duration<double>(now - last_frame_).count();
+    last_frame_ = last_events_ = now;
+    pacing.begin_frame(command, frame_seconds, controls);
     if (controls.touring) {
         const Pose pose = tour(float(tour_time_));
         camera.look(pose.eye, pose.target);
         // In a reproducible run a frame is a 60th of a second, so that a recording can be repeated.
-        if (drawn_ >= command.warmup) tour_time_ += command.reproducible() ? 1 / 60.0 : seconds;
+        if (drawn_ >= command.warmup)
+            tour_time_ += command.reproducible() ? 1 / 60.0 : frame_seconds;
     }
     const Timing timing = measuring()   ? timing_of_frame(command, drawn_, software_)
                           : show_panel_ ? Timing::queries
@@ -65,7 +68,7 @@ void Harness::begin_frame(Camera& camera, int& ticks, double& seconds)
 
 void Harness::finish_frame(glm::ivec2 size, bool last)
 {
-    const unsigned number = drawn_ > command.warmup ? drawn_ - command.warmup : 0;
+    const uint64_t number = drawn_ > command.warmup ? drawn_ - command.warmup : 0;
     record_frame(command, number, last, std::exchange(controls.save_picture, false),
                  [size] { return read_back_buffer(size); });
     if (show_panel_) {
@@ -84,13 +87,23 @@ void Harness::frame_shown()
     show_frame_time();
 }
 
+bool Harness::events_are_due()
+{
+    constexpr int few = 8;  // a frame makes no more without --timelapse: those are not held up
+    if (pacing.ticks() > 0 && pacing.ticks() % few == 0) glFinish();
+    const Clock::time_point now = Clock::now();
+    if (now - last_events_ < std::chrono::milliseconds(100)) return false;
+    last_events_ = now;
+    return true;
+}
+
 void Harness::report(glm::ivec2 size)
 {
     if (!measuring()) return;
     timer.finish();
     if (command.benchmark) {
         print_summary(timer.frames());
-        const unsigned asked = *command.frames + command.warmup;
+        const uint64_t asked = uint64_t(*command.frames) + command.warmup;
         if (drawn_ < asked) {
             std::cout << "benchmark: cut short after " << drawn_ << " of " << asked
                       << " frames, warm-up included" << std::endl;
@@ -106,14 +119,29 @@ void Harness::show_frame_time()
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - last_title_).count();
     if (seconds < 0.5) return;
-    const unsigned frames = drawn_ - drawn_at_last_title_;
+    const uint64_t frames = drawn_ - drawn_at_last_title_;
     char title[128];
     std::snprintf(title, sizeof title, "%s %s   %.2f ms a frame, %.0f fps",
-                  command.lesson.name.c_str(), command.variant.c_str(), 1000 * seconds / frames,
-                  frames / seconds);
+                  command.lesson.name.c_str(), command.variant.c_str(),
+                  1000 * seconds / double(frames), double(frames) / seconds);
     glutSetWindowTitle(title);
     last_title_ = now;
     drawn_at_last_title_ = drawn_;
+}
+
+// A panel that is hidden listens, too, or it would take a key for one held down that was let go
+// meanwhile.
+void Harness::let_panel_listen()
+{
+    glutKeyboardUpFunc([](unsigned char key, int x, int y) {
+        if (ImGui::GetCurrentContext() != nullptr) ImGui_ImplGLUT_KeyboardUpFunc(key, x, y);
+    });
+    glutSpecialFunc([](int key, int x, int y) {
+        if (ImGui::GetCurrentContext() != nullptr) ImGui_ImplGLUT_SpecialFunc(key, x, y);
+    });
+    glutSpecialUpFunc([](int key, int x, int y) {
+        if (ImGui::GetCurrentContext() != nullptr) ImGui_ImplGLUT_SpecialUpFunc(key, x, y);
+    });
 }
 
 bool Harness::panel_takes_key(unsigned char key, int x, int y)
@@ -126,7 +154,12 @@ bool Harness::panel_takes_key(unsigned char key, int x, int y)
 bool Harness::panel_takes_button(int button, int state, int x, int y)
 {
     if (!show_panel_ || panel_ == nullptr) return false;
-    ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    if (button == wheel_up || button == wheel_down) {
+        if (state == GLUT_DOWN) ImGui_ImplGLUT_MouseWheelFunc(0, button == wheel_up ? 1 : -1, x, y);
+    } else {
+        ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    }
+    panel_->set_control_key((glutGetModifiers() & GLUT_ACTIVE_CTRL) != 0);  // it types a number
     return panel_->wants_mouse();
 }
 
@@ -140,6 +173,7 @@ void Harness::on_key(unsigned char key)
     switch (std::tolower(key)) {
     case 'h':
         show_panel_ = !show_panel_;
+        if (panel_ != nullptr) panel_->let_go();
         break;
     case ' ':
         controls.paused = !controls.paused;
@@ -160,4 +194,31 @@ void Harness::on_key(unsigned char key)
         }
         break;
     }
+}
+
+// ---- What the window does no more than hand on.
+
+StageTimer Window::stage(const char* name)
+{
+    return StageTimer(harness_->timer.open() ? &harness_->timer : nullptr, name);
+}
+
+int Window::ticks() const
+{
+    return harness_->pacing.ticks();
+}
+
+double Window::frame_seconds() const
+{
+    return harness_->frame_seconds;
+}
+
+void Window::note(const std::string& line)
+{
+    harness_->controls.note = line;
+}
+
+void Window::dump(const std::vector<snow::Particle>& flakes) const
+{
+    dump_flakes(harness_->command.dump, flakes);
 }

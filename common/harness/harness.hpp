@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -24,17 +25,25 @@ public:
 
     // The four moments of a frame: it begins; it is drawn, and about to be shown; it was shown; or
     // it was never shown, because its window has gone.
-    void begin_frame(Camera& camera, int& ticks, double& seconds);
+    void begin_frame(Camera& camera);
     void finish_frame(glm::ivec2 size, bool last);
     void frame_shown();
     void drop_frame() { timer.drop_frame(); }
+
+    // In a frame of many time steps: is it time to see what the user has done? Waits for the GPU
+    // then, or it might be as many steps behind.
+    bool events_are_due();
 
     // After the last frame, or the last that there was time for: prints and writes what was
     // measured.
     void report(glm::ivec2 size);
 
+    // Hands the panel what only it has a use for: keys let go, and the special ones.
+    void let_panel_listen();
+
     // Input, which belongs to the panel first. False: it is not for the panel.
     bool panel_takes_key(unsigned char key, int x, int y);
+    static constexpr int wheel_up = 3, wheel_down = 4;  // X11's buttons, which freeglut passes on
     bool panel_takes_button(int button, int state, int x, int y);
     void panel_sees_mouse(int x, int y);
 
@@ -44,6 +53,8 @@ public:
     CommandLine command;
     FrameTimer timer;
     Controls controls;
+    Pacing pacing;
+    double frame_seconds = 0;  // since the frame before
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -51,12 +62,11 @@ private:
     bool measuring() const { return command.benchmark || !command.csv.empty(); }
     void show_frame_time();
 
-    Pacing pacing_;
     std::unique_ptr<Panel> panel_;
     bool show_panel_;
     double tour_time_ = 0;   // s since it began
     bool software_ = false;  // no graphics card behind this OpenGL
-    unsigned drawn_ = 0;     // frames, warm-up included
-    Clock::time_point last_frame_, last_swap_, last_title_;
-    unsigned drawn_at_last_title_ = 0;
+    uint64_t drawn_ = 0;     // frames, warm-up included
+    Clock::time_point last_frame_, last_swap_, last_title_, last_events_;
+    uint64_t drawn_at_last_title_ = 0;
 };

@@ -195,9 +195,8 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                        "write the mass of lying snow, cell by cell, to this CSV file");
     }
     app.add_flag("--debug", command.debug, "OpenGL debug context, messages to stderr");
-    app.footer([&command] {
-        return parameters_help(command) + "\n" + keys_help(command.parameters());
-    });
+    app.footer(
+        [&command] { return parameters_help(command) + "\n" + keys_help(command.parameters()); });
 
     try {
         app.parse(argc, argv);
@@ -227,6 +226,6 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     }
     if (command.benchmark && app.count("--warmup") == 0) command.warmup = 720;
     // What is to be written after the last frame needs a last frame.
-    if (!command.frames && command.reproducible()) command.frames = 300;
+    if (!command.frames && (command.reproducible() || command.benchmark)) command.frames = 300;
     return command;
 }

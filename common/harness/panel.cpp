@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <backends/imgui_impl_glut.h>
 #include <backends/imgui_impl_opengl2.h>
+#include <cfloat>
 #include <fstream>
 #include <imgui.h>
 #ifndef _WIN32
@@ -75,7 +76,7 @@ void draw_times(const std::deque<FrameTime>& frames)
 // A slider, or a check box for a switch.
 void draw_parameter(const snow::Parameter& parameter)
 {
-    if (parameter.is_switch()) {
+    if (std::string_view(parameter.unit) == "on/off") {
         bool on = *parameter.value != 0;
         ImGui::Checkbox(parameter.name, &on);
         *parameter.value = on ? 1.0f : 0.0f;
@@ -130,6 +131,9 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
 {
     ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(ImVec2(360, 0), ImGuiCond_FirstUseEver);
+    const float room =
+        std::max(ImGui::GetIO().DisplaySize.y - 20, 60.0f);  // the wheel scrolls the rest
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(FLT_MAX, room));
     ImGui::Begin(command.lesson.name.c_str());
     ImGui::TextWrapped("%s", renderer.c_str());
     draw_times(frames);
@@ -176,4 +180,18 @@ bool Panel::wants_mouse() const
 bool Panel::wants_keys() const
 {
     return ImGui::GetIO().WantTextInput;
+}
+
+void Panel::set_control_key(bool down)
+{
+#if IMGUI_VERSION_NUM < 18700  // from then on its GLUT backend sees to this
+    ImGui::GetIO().KeyCtrl = down;
+#else
+    (void)down;
+#endif
+}
+
+void Panel::let_go()
+{
+    ImGui::GetIO().MouseDown[0] = false;
 }

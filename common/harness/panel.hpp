@@ -22,6 +22,12 @@ public:
     // Does the mouse, or the keyboard, belong to the panel now?
     bool wants_mouse() const;
     bool wants_keys() const;
+
+    // Is Ctrl held down while the mouse is used?
+    void set_control_key(bool down);
+
+    // Forgets what is being dragged: the panel is hidden now.
+    void let_go();
 };
 
 // What it consists of: between ImGui::NewFrame and ImGui::Render, no matter what those are shown

@@ -3,6 +3,7 @@
 #include <GL/glew.h>
 
 #include <cstdio>
+#include <iostream>
 #include <stb/stb_image_write.h>
 #include <string>
 
@@ -29,18 +30,26 @@ void write_png(const std::filesystem::path& path, const Picture& picture)
     write_file(path, png);
 }
 
-void record_frame(const CommandLine& command, unsigned number, bool last, bool asked,
+// Where this cannot be written, here and now, it is no reason to end the run and lose its results.
+static void save_for_user(const std::filesystem::path& path, const Picture& picture)
+try {
+    write_png(path, picture);
+} catch (const std::exception& failure) {
+    std::cerr << "warning: " << failure.what() << std::endl;
+}
+
+void record_frame(const CommandLine& command, uint64_t number, bool last, bool asked,
                   const std::function<Picture()>& grab)
 {
     std::vector<std::filesystem::path> paths;
     if (last && !command.screenshot.empty()) paths.push_back(command.screenshot);
     if (!command.record.empty() && number >= 1) {
         char name[32];
-        std::snprintf(name, sizeof name, "%06u.png", number);
+        std::snprintf(name, sizeof name, "%06llu.png", static_cast<unsigned long long>(number));
         paths.push_back(command.record / name);
     }
-    if (asked) paths.push_back(command.lesson.name + ".png");
-    if (paths.empty()) return;
+    if (paths.empty() && !asked) return;
     const Picture picture = grab();
     for (const std::filesystem::path& path : paths) write_png(path, picture);
+    if (asked) save_for_user(command.lesson.name + ".png", picture);
 }

@@ -22,5 +22,5 @@ void write_png(const std::filesystem::path& path, const Picture& picture);
 // Writes every picture that a frame is to leave; its number is 1 for the first that counts.
 // `asked`: by the user, just now. `grab` takes the picture, and is called only if one is wanted.
 // Throws std::runtime_error.
-void record_frame(const CommandLine& command, unsigned number, bool last, bool asked,
+void record_frame(const CommandLine& command, uint64_t number, bool last, bool asked,
                   const std::function<Picture()>& grab);

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/harness/driver.hpp"
 #include "common/window.hpp"
 
 namespace {
@@ -15,7 +16,16 @@ double milliseconds_since(Clock::time_point begin)
 
 bool has_queries()
 {
-    return GLEW_ARB_timer_query;
+    static const bool has = has_extension("GL_ARB_timer_query");
+    return has;
+}
+
+// The bits that a timestamp has on this card: some count with 36, and begin anew after a minute.
+GLuint64 timestamp_mask()
+{
+    GLint bits = 0;
+    glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+    return bits > 0 && bits < 64 ? (GLuint64(1) << bits) - 1 : ~GLuint64(0);
 }
 
 }  // namespace
@@ -114,7 +124,7 @@ void FrameTimer::collect(bool wait)
         glGetQueryObjectui64v(oldest.end, GL_QUERY_RESULT, &end);
         if (oldest.frame >= forgotten_ && oldest.frame - forgotten_ < frames_.size()) {
             frames_[oldest.frame - forgotten_].stages[oldest.stage].gpu_ms =
-                double(end - begin) * 1e-6;
+                double((end - begin) & timestamp_mask()) * 1e-6;
         }
         free_queries_.insert(free_queries_.end(), {oldest.begin, oldest.end});
         pending_.pop_front();

@@ -7,6 +7,10 @@
 
 const ivec3 up = ivec3(0, 1, 0);
 
+// The four columns at the sides, then the four at the corners.
+const ivec3 neighbours[8] = ivec3[](ivec3(0, 0, 1), ivec3(1, 0, 0), ivec3(0, 0, -1), ivec3(-1, 0, 0),
+                                    ivec3(-1, 0, -1), ivec3(1, 0, -1), ivec3(-1, 0, 1), ivec3(1, 0, 1));
+
 // Takes as much from this column, from the surface `cell` downwards, as is there. Nobody but this
 // invocation takes from it, so what was there is there still. Returns the mass taken.
 uint take(ivec3 cell, uint amount)
@@ -63,12 +67,9 @@ void main()
         while (mass_in(cell + up) > 0u) cell += up;
         fall(cell);
         for (int side = 0; side < 8 && !in_scene(cell + up); ++side) {
-            // The four columns at the sides, then the four at the corners.
-            ivec3 direction = side < 4 ? ivec3((side & 1) * (2 - side), 0, (1 - (side & 1)) * (1 - side))
-                                       : ivec3((side & 1) * 2 - 1, 0, (side & 2) - 1);
             ivec3 surface = cell;
             while (mass_in(surface) == 0u && surface.y > 0) surface -= up;  // it may have slid already
-            slide(surface, direction, base, slope * length(vec3(direction)));
+            slide(surface, neighbours[side], base, slope * length(vec3(neighbours[side])));
         }
         cell += up;
     }

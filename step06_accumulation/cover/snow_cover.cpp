@@ -24,12 +24,12 @@ double cycle(snow::Weather weather, snow::uint emitter)
     weather.variation = weather.turbulence = 0;
     snow::Particle flake = snow::born(emitter, 0, weather);
     flake.position.y = weather.emitters[emitter].centre.y;
-    snow::uint step = 0;
-    for (; flake.rest == 0 && !snow::gone(flake, emitter, weather); ++step) {
+    snow::uint tick = 0;
+    for (; flake.rest == 0 && !snow::gone(flake, emitter, weather); ++tick) {
         flake = snow::settle(snow::move(flake, weather), weather);
-        flake = snow::accelerate(flake, weather.wind, emitter, step, weather);
+        flake = snow::accelerate(flake, weather.wind, emitter, tick, weather);
     }
-    return double(step) * weather.time_step + weather.melt_time;
+    return double(tick) * weather.time_step + weather.melt_time;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One step of one flake, as in step 5, but what has lain for its time becomes part of the snow cover. Whoever includes
+// One time step of one flake, as in step 5, but what has lain for its time becomes part of the snow cover. Whoever includes
 // this has defined air_at(position): the velocity of the air there, m/s.
 
 #include "step04_transform_feedback/flake_state.glsl"
@@ -57,7 +57,7 @@ void main()
     uint index = uint(gl_VertexID);
     Particle p = settle(move(load_flake(), weather), weather);
     if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
-    p = accelerate(p, air_at(p.position), index, step_number, weather);
+    p = accelerate(p, air_at(p.position), index, tick, weather);
     if (gone(p, index, weather)) {
         bool has_melted = melt_left(p, weather) < 0.0;
         if (old_age >= 0.0) {
@@ -68,7 +68,7 @@ void main()
                 count_end(has_melted);
             }
         }
-        p = born(index, step_number, weather);
+        p = born(index, tick, weather);
         count_release();
     }
     store_flake(p);

@@ -23,7 +23,7 @@ std::vector<snow::Parameter> Winter::parameters()
 
 void Winter::choose_flakes(Window& window, const PingPong& particles)
 {
-    budget_.frame(window.frame_seconds(), window.ticks(), FlakeBudget::hold_fps, FlakeBudget::live);
+    budget_.frame(window.frame_seconds(), ticks_before_, FlakeBudget::hold_fps, FlakeBudget::live);
     window.note(budget_.report());
     live_.resize(budget_.share(), particles);
 }
@@ -36,6 +36,7 @@ void Winter::set_wind(Program& program, const snow::Weather& weather) const
 void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
 {
     const snow::Weather& weather = window.options().weather;
+    ticks_before_ = window.ticks();
     camera_.update(window, tick);
     daylight_.update(weather, tick);
     if (Daylight::shadow != 0) {

@@ -46,6 +46,7 @@ private:
         AmbientOcclusion occlusion;
     };
     const Computed& computed_;
+    int ticks_before_ = 0;  // time steps of the frame before
     FlakeBudget budget_;
     LiveFlakes live_;
     CameraBlock camera_;

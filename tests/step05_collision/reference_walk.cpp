@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "common/harness/options.hpp"
 #include "common/harness/dump.hpp"
+#include "common/harness/options.hpp"
 #include "common/scene/scene.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
@@ -36,11 +36,11 @@ Particle one_step(const Particle& old, uint index, uint step, const Weather& wea
 int main(int argc, char** argv)
 try {
     const CommandLine options = parse_command_line(argc, argv,
-                                          {.name = "reference_walk",
-                                           .idea = "step 5 on the CPU, for the tests",
-                                           .minimum_gl = 0,
-                                           .variants = {{"voxels", nullptr}},
-                                           .has_scene = true});
+                                                   {.name = "reference_walk",
+                                                    .idea = "step 5 on the CPU, for the tests",
+                                                    .minimum_gl = 0,
+                                                    .variants = {{"voxels", nullptr}},
+                                                    .has_scene = true});
     snow::grid = voxelise(load_scene(options.scene, options.up), options.voxels);
     snow::grid_origin = snow::grid.origin;
     snow::cell_size = snow::grid.cell_size;

@@ -10,7 +10,12 @@ void CameraBlock::update(const Window& window, unsigned tick)
     camera_.view = window.view();
     camera_.projection = window.projection();
     camera_.eye = window.eye();
-    camera_.shutter = float(window.ticks()) * weather.time_step / float(window.options().timelapse);
+    // Where the screen is faster than the time steps, some frames show the same flakes once more:
+    // as before, or streaks and dots would alternate.
+    if (window.ticks() > 0) {
+        camera_.shutter =
+            float(window.ticks()) * weather.time_step / float(window.options().timelapse);
+    }
     camera_.window_size = window.size();
     // The first flakes fall and lie for a while before they are part of the cover.
     const snow::Emitter& cloud = weather.emitters[0];

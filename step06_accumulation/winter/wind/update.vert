@@ -6,7 +6,7 @@
 
 vec3 air_at(vec3 position)
 {
-    return wind_at(position, step_number);
+    return wind_at(position, tick);
 }
 
 #include "step06_accumulation/cover/update.glsl"

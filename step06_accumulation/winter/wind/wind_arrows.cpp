@@ -12,7 +12,7 @@ void WindArrows::draw(const WindField& wind, const SolidScene& solid, const snow
     program_.use();
     set_voxels(program_, solid);
     wind.set(program_, weather);
-    program_.set("step_number", tick);
+    program_.set("tick", tick);
     glBindVertexArray(vao_);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 9, 16 * 16 * 4);  // corners, arrows: see arrow.vert
 }

@@ -8,10 +8,10 @@ uniform sampler3D wind_along_z;  // ... and along z
 uniform bool around_the_scene;   // or evenly everywhere?
 uniform float gusts;             // largest change of the wind in a gust, relative
 
-// m/s, at `position` in the given step. Gusts are two slow waves that rarely agree.
-vec3 wind_at(vec3 position, uint step)
+// m/s, at `position` at time step number `tick`. Gusts are two slow waves that rarely agree.
+vec3 wind_at(vec3 position, uint tick)
 {
-    float time = float(step) * weather.time_step;  // s
+    float time = float(tick) * weather.time_step;  // s
     float gust = 1.0 + gusts * (0.6 * sin(0.9 * time) + 0.4 * sin(2.3 * time + 1.0));
     vec3 wind = gust * weather.wind;
     vec3 place = (position - grid_origin) / (cell_size * float(resolution));

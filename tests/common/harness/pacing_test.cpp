@@ -20,7 +20,7 @@ TEST(Pacing, FollowsTheClockAndOwesWhatIsLess)
     Controls controls;
     const CommandLine command = realtime();
     int ticks = 0;
-    for (int frame = 0; frame < 240; ++frame) ticks += pacing.ticks(command, 1 / 240.0, controls);
+    for (int frame = 0; frame < 240; ++frame) ticks += pacing.begin_frame(command, 1 / 240.0, controls);
     EXPECT_NEAR(ticks, 60, 1);  // rounding may leave the last one for the next frame
 }
 
@@ -29,10 +29,10 @@ TEST(Pacing, SlowsDownAfterAHitchInsteadOfSkipping)
     Pacing pacing;
     Controls controls;
     CommandLine command = realtime();
-    EXPECT_EQ(pacing.ticks(command, 10, controls), 8);
-    EXPECT_EQ(pacing.ticks(command, 0, controls), 0);
+    EXPECT_EQ(pacing.begin_frame(command, 10, controls), 8);
+    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 0);
     command.timelapse = 3;
-    EXPECT_EQ(pacing.ticks(command, 10, controls), 24);
+    EXPECT_EQ(pacing.begin_frame(command, 10, controls), 24);
 }
 
 TEST(Pacing, MakesTheSameStepsInEveryFrameOfARepeatableRun)
@@ -41,10 +41,10 @@ TEST(Pacing, MakesTheSameStepsInEveryFrameOfARepeatableRun)
     Controls controls;
     CommandLine command = realtime();
     command.frames = 5;
-    EXPECT_EQ(pacing.ticks(command, 0, controls), 1);
-    EXPECT_EQ(pacing.ticks(command, 10, controls), 1);
+    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 1);
+    EXPECT_EQ(pacing.begin_frame(command, 10, controls), 1);
     command.timelapse = 60;
-    EXPECT_EQ(pacing.ticks(command, 0, controls), 60);
+    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 60);
 }
 
 TEST(Pacing, PausesAndMakesSingleSteps)
@@ -53,10 +53,37 @@ TEST(Pacing, PausesAndMakesSingleSteps)
     Controls controls;
     const CommandLine command = realtime();
     controls.paused = true;
-    EXPECT_EQ(pacing.ticks(command, 1, controls), 0);
+    EXPECT_EQ(pacing.begin_frame(command, 1, controls), 0);
     controls.single_step = true;
-    EXPECT_EQ(pacing.ticks(command, 1, controls), 1);
-    EXPECT_EQ(pacing.ticks(command, 1, controls), 0);
+    EXPECT_EQ(pacing.begin_frame(command, 1, controls), 1);
+    EXPECT_EQ(pacing.begin_frame(command, 1, controls), 0);
     controls.paused = false;
-    EXPECT_EQ(pacing.ticks(command, 0, controls), 0) << "what passed meanwhile is not caught up";
+    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 0) << "what passed meanwhile is not caught up";
+}
+
+TEST(Pacing, MakesAsManyStepsAsAreDue)
+{
+    Pacing pacing;
+    Controls controls;
+    CommandLine command = realtime();
+    command.frames = 5;
+    command.timelapse = 60;
+    pacing.begin_frame(command, 0, controls);
+    int made = 0;
+    while (pacing.next_tick()) EXPECT_EQ(pacing.ticks(), ++made);
+    EXPECT_EQ(made, 60);
+}
+
+TEST(Pacing, MakesNoMoreThanThereIsTimeForWhereTheClockSaysHowMany)
+{
+    Pacing pacing;
+    Controls controls;
+    CommandLine command = realtime();
+    command.timelapse = 1000;
+    pacing.begin_frame(command, 10, controls);
+    EXPECT_TRUE(pacing.next_tick());
+    const auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(60)) {}
+    EXPECT_FALSE(pacing.next_tick());
+    EXPECT_EQ(pacing.ticks(), 1) << "one in any case";
 }
