@@ -151,13 +151,13 @@ void expect_grid_is_right(const Scene& scene, int resolution)
     EXPECT_EQ(spurious, 0u) << "voxels that no triangle enters";
 }
 
-// A grid with nothing in it, 32 m wide, around the origin.
+// A grid with nothing in it, 32 m wide, that stands on the ground.
 VoxelGrid empty_grid(int resolution)
 {
     VoxelGrid grid{};
     grid.resolution = resolution;
     grid.cell_size = 32.0f / float(resolution);
-    grid.origin = vec3(-16);
+    grid.origin = vec3(-16, 0, -16);
     grid.words.resize(size_t(resolution) * size_t(resolution) * size_t(resolution) / 32);
     return grid;
 }
@@ -225,10 +225,10 @@ TEST(VoxelGrid, IsEmptyOutsideAndForTheEmptyScene)
 TEST(VoxelWalk, FromAboveLandsInTheEmptyCellItCameFrom)
 {
     VoxelGrid grid = empty_grid(32);  // cells of 1 m
-    fill(grid, {16, 10, 16});         // its upper side is y = -5
+    fill(grid, {16, 10, 16});         // its upper side is y = 11
     snow::walk_in(grid);
     for (const float speed : {0.5f, 10.0f, 200.0f}) {
-        snow::Particle flake = flake_at({0.3f, -4.995f, 0.6f}, {0, -speed, 0});
+        snow::Particle flake = flake_at({0.3f, 11.005f, 0.6f}, {0, -speed, 0});
         flake = walk(flake);
         EXPECT_EQ(snow::cell_of(flake.position), ivec3(16, 11, 16)) << speed;
         EXPECT_EQ(flake.velocity, vec3(0)) << speed;
@@ -277,7 +277,7 @@ TEST(VoxelWalk, LetsNoFlakeThroughAWallAtAnySpeed)
     }
     snow::walk_in(grid);
     for (int n = 0; n < 2000; ++n) {
-        snow::Particle flake = flake_at(random_point(5.4f), vec3(0));
+        snow::Particle flake = flake_at(random_point(5.4f) + vec3(0, 16, 0), vec3(0));
         for (int step = 0; step < 60; ++step) {
             flake.rest = 0;
             flake.velocity = random_point(200);
@@ -296,7 +296,7 @@ TEST(VoxelWalk, NeverEndsInASolidVoxel)
     snow::walk_in(grid);
     int hits = 0;
     for (int n = 0; n < 100000; ++n) {
-        const vec3 start = random_point(6) + vec3(0, 5, 0);
+        const vec3 start = random_point(6) + vec3(0, 6, 0);
         if (grid.solid(snow::cell_of(start))) continue;
         const float speed = random(0, 1) < 0.5f ? 200.0f : 5.0f;  // m/s
         const snow::Particle flake = walk(flake_at(start, random_point(speed)));
