@@ -7,7 +7,7 @@
 uniform samplerBuffer triangles;  // three texels each: the corners, m
 uniform int triangle_count;
 
-// Where the way from `from` along `way` meets a triangle: the part of the way, or 2 if it does not
+// Where the way from `from` along `way` meets a triangle: the fraction of the way, or 2 if it does not
 // (Moller and Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", 1997).
 float meet(vec3 from, vec3 way, vec3 a, vec3 b, vec3 c)
 {
@@ -19,13 +19,14 @@ float meet(vec3 from, vec3 way, vec3 a, vec3 b, vec3 c)
     vec3 q = cross(s, b - a);
     float v = dot(way, q) / determinant;
     if (u < 0.0 || v < 0.0 || u + v > 1.0) return 2.0;
-    float part = dot(c - a, q) / determinant;
-    return part >= 0.0 && part <= 1.0 ? part : 2.0;
+    float fraction = dot(c - a, q) / determinant;
+    return fraction >= 0.0 && fraction <= 1.0 ? fraction : 2.0;
 }
 
 Particle collide(vec3 from, Particle p, Weather weather)
 {
     const float gap = 0.0005;  // m, kept from a surface so that the next step starts outside of it
+    const float nearly_down = 0.01;  // m, less than a flake is wide
     for (int slides = 0; slides < 3; ++slides) {
         vec3 way = p.position - from;
         float nearest = 2.0;
@@ -34,23 +35,29 @@ Particle collide(vec3 from, Particle p, Weather weather)
             vec3 a = texelFetch(triangles, 3 * i).xyz;
             vec3 b = texelFetch(triangles, 3 * i + 1).xyz;
             vec3 c = texelFetch(triangles, 3 * i + 2).xyz;
-            float part = meet(from, way, a, b, c);
-            if (part < nearest) {
-                nearest = part;
+            float fraction = meet(from, way, a, b, c);
+            if (fraction < nearest) {
+                nearest = fraction;
                 normal = normalize(cross(b - a, c - a));
             }
         }
         if (nearest > 1.0) return p;
         if (dot(normal, way) > 0.0) normal = -normal;  // towards where the flake came from
         from += nearest * way + gap * normal;
+        from.y = max(from.y, 0.0);  // where an overhang meets the ground there is less room than the gap
         if (normal.y > 0.1) {  // anything but a wall or a ceiling
             p.position = from;
             return land(p, weather);
         }
-        vec3 rest_of_way = p.position - from;
-        p.position = from + rest_of_way - normal * dot(rest_of_way, normal);
+        vec3 slide = p.position - from;
+        slide -= normal * dot(slide, normal);
+        if (from.y + slide.y < 0.0) slide *= from.y / -slide.y;  // down an overhang, as far as to the ground
+        p.position = from + slide;
+        p.position.y = max(p.position.y, 0.0);
         p.velocity -= normal * dot(p.velocity, normal);
+        if (p.position.y > nearly_down) p.rest = 0.0;  // only the straight way led to the ground
     }
-    p.position = from;
+    p.position = from;  // wedged in
+    if (p.position.y > nearly_down) p.rest = 0.0;
     return p;
 }

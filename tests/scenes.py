@@ -28,3 +28,12 @@ TABLE = text(FLOOR, box((-3, 2, -3), (3, 2.2, -0.5)), box((-3, 2, 0.5), (3, 2.2,
 
 # A wall across the wind.
 WALL = text(FLOOR, box((-0.2, 0, -4), (0.2, 3, 4)))
+
+# A roof that leans down to the floor, as wide as it, and the same roof over bare ground.
+LEAN_TO = text(FLOOR, quad((-8, 0, 0), (8, 0, 0), (8, 4, 2.7), (-8, 4, 2.7)))
+LEAN_TO_ON_BARE_GROUND = text(quad((-8, 0, 0), (8, 0, 0), (8, 4, 2.7), (-8, 4, 2.7)))
+
+# Pairs of upright walls without thickness, each an acute corner open towards +x.
+CORNERS = text(FLOOR, *(quad((-6, 0, z), (6, 0, z + 1), (6, 5, z + 1), (-6, 5, z))
+                        + quad((-6, 0, z), (-6, 5, z), (6, 5, z - 1), (6, 0, z - 1))
+                        for z in range(-6, 7, 2)))

@@ -128,6 +128,28 @@ def test_no_snow_under_a_table_but_below_its_gap(programs, scene, variant):
     assert (~on_floor & (abs(x) < 3) & (abs(z) < 3)).sum() > 100  # it lies on top instead
 
 
+@pytest.mark.parametrize("variant", ["voxels", "triangles"])
+@pytest.mark.parametrize("name", ["LEAN_TO", "LEAN_TO_ON_BARE_GROUND"])
+def test_no_flake_slides_below_the_ground(programs, scene, name, variant):
+    """In wind that blows under the roof, down along which flakes slide."""
+    flakes = programs.flakes(STEP, "--scene", scene(name), "--variant", variant, "--voxels", 64,
+                             "--particles", 4000, "--timelapse", 811, "--frames", 1,
+                             "--set", "wind_z=-6", "--set", "turbulence=20")
+    assert (flakes.rest > 0).sum() > 200
+    assert (flakes.position[:, 1] >= 0).all()
+
+
+def test_no_flake_rests_in_the_air_in_a_corner(programs, scene):
+    """There is nothing to lie on but the floor: walls without thickness have no upper side."""
+    flakes = programs.flakes(STEP, "--scene", scene("CORNERS"), "--variant", "triangles",
+                             "--voxels", 64, "--particles", 4000, "--timelapse", 300, "--frames", 1,
+                             "--set", "wind_x=-15", "--set", "turbulence=50",
+                             "--set", "speed_0=12", "--set", "speed_1=18")
+    lying = flakes.rest > 0
+    assert lying.sum() > 500
+    assert (flakes.position[lying, 1] <= 0.01).all()  # nearly_down in collide_triangles.glsl
+
+
 def test_lee_side_of_a_wall_gets_less(programs, scene):
     flakes = programs.flakes(*snow_on(scene("WALL"), "voxels", "--set", "wind_x=2"))
     x, y, z = flakes.position[flakes.rest > 0].T
