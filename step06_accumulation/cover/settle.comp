@@ -11,17 +11,17 @@ const ivec3 up = ivec3(0, 1, 0);
 const ivec3 neighbours[8] = ivec3[](ivec3(0, 0, 1), ivec3(1, 0, 0), ivec3(0, 0, -1), ivec3(-1, 0, 0),
                                     ivec3(-1, 0, -1), ivec3(1, 0, -1), ivec3(-1, 0, 1), ivec3(1, 0, 1));
 
-// Takes as much from this column, from the surface `cell` downwards, as is there. Nobody but this
-// invocation takes from it, so what was there is there still. Returns the mass taken.
-uint take(ivec3 cell, uint amount)
+// Moves so much from this column, from the surface `cell` downwards, to `target`, or as much as is there and as
+// `target` has room for. Nobody else takes from this column: what was there is there still, once it has been added.
+void transfer(ivec3 cell, ivec3 target, uint amount)
 {
-    uint taken = 0u;
-    for (; taken < amount && cell.y >= 0 && mass_in(cell) > 0u; cell -= up) {
-        uint part = min(amount - taken, mass_in(cell));
-        atomicAdd(mass[mass_index(cell)], 0u - part);
-        taken += part;
+    for (; amount > 0u && mass_in(cell) > 0u; cell -= up) {
+        uint part = min(amount, mass_in(cell));
+        uint moved = part - add_snow(target, part);
+        atomicAdd(mass[mass_index(cell)], 0u - moved);
+        if (moved < part) return;
+        amount -= moved;
     }
-    return taken;
 }
 
 // Slides snow from `cell`, the surface of its column, one column on in `direction`. `base` is the height
@@ -39,7 +39,7 @@ void slide(ivec3 cell, ivec3 direction, float base, float slope)
     float highest = max(neighbour + slope, base + cliff / cell_size + 0.5 * slope);  // in cells
     float excess = height - highest;
     if (excess <= 0.0) return;
-    add_snow(target, take(cell, uint(0.25 * excess * float(full_cell))));
+    transfer(cell, target, uint(0.25 * excess * float(full_cell)));
 }
 
 // Moves from `cell` as much as the cell below has room for, if that has lost snow since.
@@ -47,8 +47,7 @@ void fall(ivec3 cell)
 {
     ivec3 below = cell - up;
     if (cell.y == 0 || in_scene(below)) return;
-    uint room = full_cell - min(mass_in(below), full_cell);
-    if (room > 0u) add_snow(below, take(cell, min(room, mass_in(cell))));
+    transfer(cell, below, min(full_cell - mass_in(below), mass_in(cell)));
 }
 
 void main()

@@ -4,7 +4,7 @@
 #include "common/bindings.glsl"
 #include "step05_collision/voxels.glsl"
 
-layout(std430, binding = COVER_BUFFER) buffer SnowCover { uint mass[]; };
+layout(std430, binding = COVER_BUFFER) coherent buffer SnowCover { uint mass[]; };
 layout(std430, binding = SUMS_BUFFER) buffer MassSums { uint sums[]; };
 
 const uint full_cell = 65536u;
@@ -35,18 +35,18 @@ bool solid(ivec3 cell)
     return in_scene(cell) || mass_in(cell) >= full_cell;
 }
 
-// Adds to a cell as much as it still holds, and what is over to the cells above.
-void add_snow(ivec3 cell, uint amount)
+// Adds to a cell as much as it has room for, and what is over to the cells above, up to a ceiling or to the top of
+// the grid. Returns what found no room. No cell ever holds more than it can, not even for a moment: atomicAdd
+// would add first and tell afterwards, atomicCompSwap adds only if nobody else has changed the cell in between.
+uint add_snow(ivec3 cell, uint amount)
 {
-    const int most_layers = 256;
-    for (int layer = 0; layer < most_layers && amount > 0u && in_grid(cell); ++layer) {
-        // Between these two lines other flakes may see the cell too full; in the end it is not.
-        uint sum = atomicAdd(mass[mass_index(cell)], amount) + amount;
-        ivec3 above = cell + ivec3(0, 1, 0);
-        bool has_room = layer + 1 < most_layers && in_grid(above) && !in_scene(above);
-        uint over = sum > full_cell && has_room ? min(amount, sum - full_cell) : 0u;
-        if (over > 0u) atomicAdd(mass[mass_index(cell)], 0u - over);
-        amount = over;
-        cell = above;
+    const int most_attempts = 512;  // what is not placed by then finds no room, either
+    for (int n = 0; n < most_attempts && amount > 0u && in_grid(cell) && !in_scene(cell); ++n) {
+        uint held = mass_in(cell);
+        uint part = min(amount, full_cell - held);
+        if (atomicCompSwap(mass[mass_index(cell)], held, held + part) != held) continue;  // once more
+        amount -= part;
+        cell.y += 1;
     }
+    return amount;
 }

@@ -26,7 +26,8 @@ ivec3 resting_cell(ivec3 cell)
 }
 
 // Adds a flake's mass to the grid, spread like a bell over the 5 x 5 columns around (binomial weights): whole
-// flakes in single columns would make a chequerboard. Returns false if there is nothing here to lie on.
+// flakes in single columns would make a chequerboard. What finds no room, below a ceiling or at the top of the grid,
+// does not count as deposited. Returns false if that is all of it, or if there is nothing here to lie on.
 bool deposit(vec3 position, uint flake)
 {
     const uint weight[5] = uint[](1u, 4u, 6u, 4u, 1u);  // of 16, in x and in z
@@ -43,13 +44,12 @@ bool deposit(vec3 position, uint flake)
             if (in_grid(cell)) cell = resting_cell(cell + ivec3(x, 0, z) - halfway);
             if (!in_grid(cell)) continue;  // beyond an edge, or a wall
             uint part = flake * (weight[x + 2] * weight[z + 2]) / 256u;
-            add_snow(cell, part);
-            left -= part;
+            left -= part - add_snow(cell, part);
         }
     }
-    add_snow(centre, left);  // what is the middle's, and what the others did not take
-    count_mass(deposited_mass, flake);
-    return true;
+    left = add_snow(centre, left);  // what is the middle's, and what the others did not take
+    count_mass(deposited_mass, flake - left);
+    return left < flake;
 }
 
 void main()

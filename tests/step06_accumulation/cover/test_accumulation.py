@@ -19,11 +19,11 @@ def accumulate(programs, tmp_path):
 
     Nobody looks at the pictures, so their surface need not be fine.
     """
-    def accumulate(text, *arguments):
+    def accumulate(text, *arguments, **more):
         (tmp_path / "scene.obj").write_text(text)
         scene = ["--scene", tmp_path / "scene.obj"] if text else []
         result = programs.run_well(STEP, *SMALL, *scene, "--set", "tessellation=0", *arguments,
-                                   "--dump-cover", tmp_path / "cover.csv")
+                                   "--dump-cover", tmp_path / "cover.csv", **more)
         return ledger(result.stdout), Cover(tmp_path / "cover.csv"), cover_sums(result.stdout)
     return accumulate
 
@@ -40,6 +40,25 @@ def test_ledger_balances_in_a_storm(accumulate):
     """Flakes leave the world on the wind, land on edges, slide down walls and are snowed in."""
     check_sums(*accumulate("", "--particles", 8000, "--frames", 300, "--voxels", 64, *HAIL,
                            "--set", "wind_x=20", "--set", "turbulence=40", "--set", "snowfall=10"))
+
+
+DOWNPOURS = {
+    "snow": ["--set", "speed_0=8", "--set", "speed_1=12", "--set", "repose=15"],
+    "hail": ["--weather", "hail"],
+    "thaw": ["--weather", "hail", "--set", "temperature=10"],
+    "rain": ["--weather", "rain"],
+}
+
+
+@pytest.mark.parametrize("weather", DOWNPOURS)
+def test_many_threads_at_once_lose_nothing_and_overfill_no_cell(accumulate, weather):
+    """More threads than cores, so that each is stopped in the midst of what it does; 10 m a minute."""
+    entries, cover, sums = accumulate("", "--particles", 4000, "--voxels", 256, "--timelapse", 100,
+                                      "--frames", 4, *DOWNPOURS[weather], "--set", "snowfall=10",
+                                      "--set", "melt_time=0.3", environment={"LP_NUM_THREADS": "8"})
+    check_sums(entries, cover, sums)
+    assert entries["deposited"] > 1000
+    assert cover.mass.max() <= cover.full
 
 
 def test_a_full_cell_is_solid_and_snow_piles_into_the_next(accumulate):
