@@ -5,13 +5,16 @@
 
 layout(local_size_x = 64) in;
 
-uniform uint first_column;  // of this frame's part
+uniform uint first_column, end_column;  // of this frame's part: one past its last
 
-// The lowest cell of this invocation's column.
-ivec3 foot_of_column()
+// What is done to a column in its turn; `cell` is its lowest. Whoever includes this defines it.
+void take_turn(ivec3 cell);
+
+void main()
 {
     uint column = first_column + gl_GlobalInvocationID.x;
-    return ivec3(int(column) % resolution, 0, int(column) / resolution);
+    if (column >= end_column) return;  // the last group of invocations may reach further
+    take_turn(ivec3(int(column) % resolution, 0, int(column) / resolution));
 }
 
 // Does the snow in this cell lie open to the air?

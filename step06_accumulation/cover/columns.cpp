@@ -83,6 +83,7 @@ void Columns::dispatch(Program& program, unsigned tick, int ticks)
     cover_.bind();
     for (unsigned turn = tick - unsigned(ticks); turn != tick; ++turn) {
         program.set("first_column", turn % turns * count);
+        program.set("end_column", (turn % turns + 1) * count);
         glDispatchCompute((count + 63) / 64, 1, 1);  // 64: local_size_x of the shaders
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                         GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

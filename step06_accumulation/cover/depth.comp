@@ -25,9 +25,8 @@ float smoothed(float depth, ivec3 place)
     return depth > 0.0 ? mix(depth, sum / count, 0.9) : 0.0;
 }
 
-void main()
+void take_turn(ivec3 cell)
 {
-    ivec3 cell = foot_of_column();
     int lower = -1;  // height of the first cell above the surface below, where there is one
     for (;;) {
         // Up to the first cell above a surface.

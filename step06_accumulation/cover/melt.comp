@@ -6,11 +6,10 @@
 
 uniform float seconds;  // since this column's last turn
 
-void main()
+void take_turn(ivec3 cell)
 {
     const float rate = 0.01 / 60.0;  // m/s for each degree: a thaw that can be watched
     uint most = uint(max(weather.temperature, 0.0) * rate * seconds / cell_size * float(full_cell));
-    ivec3 cell = foot_of_column();
     for (;; ++cell.y) {
         while (cell.y < resolution && !is_surface(cell)) ++cell.y;
         if (cell.y == resolution) break;

@@ -50,11 +50,10 @@ void fall(ivec3 cell)
     transfer(cell, below, min(full_cell - mass_in(below), mass_in(cell)));
 }
 
-void main()
+void take_turn(ivec3 cell)
 {
     float slope = tan(radians(weather.repose));  // cells of height for one of distance
     float base = 0.0;                            // height of what the snow lies on, in cells
-    ivec3 cell = foot_of_column();
     for (;;) {
         // Up to the next snow.
         for (; cell.y < resolution && mass_in(cell) == 0u; cell += up) {

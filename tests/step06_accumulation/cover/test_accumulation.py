@@ -89,6 +89,18 @@ def test_depth_of_snow_does_not_depend_on_the_number_of_flakes(accumulate):
         assert 0.9 * 6 / 60 < depth < 15 / 60
 
 
+def test_as_much_melts_whatever_the_size_of_the_cells(accumulate):
+    """In a round each column has one turn, also where a turn has fewer columns than invocations."""
+    melted = {}
+    for voxels in (32, 64):
+        _, _, sums = accumulate("", "--particles", 4000, "--timelapse", 100, "--frames", 18,
+                                "--voxels", voxels, "--set", "melt_time=1", "--set", "speed_0=4",
+                                "--set", "speed_1=6", "--set", "temperature=1")
+        melted[voxels] = sums[1] / sums[2]
+    assert melted[32] > 0.05
+    assert melted[32] == pytest.approx(melted[64], rel=0.15)
+
+
 def test_no_snow_under_a_table_but_below_its_gap(accumulate):
     """As in test_collision.py, and 0.375 m more: a flake's mass goes to the two cells beside its own."""
     _, cover, _ = accumulate(scenes.TABLE, "--particles", 8000, "--frames", 720, "--voxels", 128,
