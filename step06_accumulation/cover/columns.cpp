@@ -39,6 +39,8 @@ void Columns::melt(unsigned tick, int ticks, const snow::Weather& weather)
 
 void Columns::measure(unsigned tick, int ticks)
 {
+    // What is overwritten now must have been read by the picture before.
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     glBindImageTexture(DEPTH_IMAGE, depth_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R16F);
     dispatch(measure_, tick, ticks);
 }
@@ -76,16 +78,17 @@ void Columns::clear_depth()
 
 void Columns::dispatch(Program& program, unsigned tick, int ticks)
 {
-    const int n = solid_.grid.resolution;
-    const unsigned count = unsigned(n * n) / turns;
+    const unsigned n = unsigned(solid_.grid.resolution);
     program.use();
     set_voxels(program, solid_);
     cover_.bind();
     for (unsigned turn = tick - unsigned(ticks); turn != tick; ++turn) {
-        program.set("first_column", turn % turns * count);
-        program.set("end_column", (turn % turns + 1) * count);
-        glDispatchCompute((count + 63) / 64, 1, 1);  // 64: local_size_x of the shaders
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                        GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        program.set("first_z", int(turn % turns));
+        for (int x = 0; x < 4; ++x) {  // of a row every fourth column at once: no neighbours
+            program.set("first_x", x);
+            glDispatchCompute((n / 4 + 63) / 64, (n + turns - 1) / turns, 1);  // 64: local_size_x
+            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                            GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        }
     }
 }

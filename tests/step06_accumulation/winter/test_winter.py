@@ -30,6 +30,20 @@ def test_picture_at_dusk(request, programs, tmp_path):
     check_picture(request, programs, "winter_dusk_60s", read(tmp_path / "dusk.png"))
 
 
+@pytest.mark.parametrize("settling", [0, 1])
+def test_same_picture_whatever_the_number_of_threads(programs, tmp_path, settling):
+    """What one column does in its turn depends on no other that has its turn at the same time."""
+    pictures = []
+    for threads in 1, 8:
+        path = tmp_path / f"{threads}.png"
+        programs.run_well(STEP, "--size", "160x90", "--voxels", 128, "--particles", 4000,
+                          "--timelapse", 100, "--frames", 12, "--set", "snowfall=3",
+                          "--set", "melt_time=1", "--set", f"settling={settling}",
+                          "--screenshot", path, environment={"LP_NUM_THREADS": str(threads)})
+        pictures.append(path.read_bytes())
+    assert pictures[0] == pictures[1]
+
+
 @pytest.mark.parametrize("weather, wind", [
     (["snow"], ["wind_x=4"]),
     (["snow", "--set", "temperature=3"], ["wind_z=4"]),
