@@ -28,7 +28,7 @@ float smoothed(float depth, ivec3 place)
 void take_turn(ivec3 cell)
 {
     int lower = -1;  // height of the first cell above the surface below, where there is one
-    for (;;) {
+    while (cell.y < resolution) {
         // Up to the first cell above a surface.
         while (cell.y < resolution && !in_scene(cell)) cell += up;
         while (cell.y < resolution && in_scene(cell)) cell += up;

@@ -10,7 +10,7 @@ void take_turn(ivec3 cell)
 {
     const float rate = 0.01 / 60.0;  // m/s for each degree: a thaw that can be watched
     uint most = uint(max(weather.temperature, 0.0) * rate * seconds / cell_size * float(full_cell));
-    for (;; ++cell.y) {
+    for (; cell.y < resolution; ++cell.y) {
         while (cell.y < resolution && !is_surface(cell)) ++cell.y;
         if (cell.y == resolution) break;
         uint amount = min(most, mass_in(cell));

@@ -54,7 +54,7 @@ void take_turn(ivec3 cell)
 {
     float slope = tan(radians(weather.repose));  // cells of height for one of distance
     float base = 0.0;                            // height of what the snow lies on, in cells
-    for (;;) {
+    for (; cell.y < resolution; cell += up) {
         // Up to the next snow.
         for (; cell.y < resolution && mass_in(cell) == 0u; cell += up) {
             if (in_scene(cell)) base = float(cell.y + 1);
@@ -69,6 +69,5 @@ void take_turn(ivec3 cell)
             while (mass_in(surface) == 0u && surface.y > 0) surface -= up;  // it may have slid already
             slide(surface, neighbours[side], base, slope * length(vec3(neighbours[side])));
         }
-        cell += up;
     }
 }
