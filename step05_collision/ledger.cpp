@@ -6,8 +6,8 @@
 
 namespace {
 
-struct Counts {  // as ledger.glsl has them
-    GLuint released, deposited, melted, left_world;
+struct Counts {  // as ledger.glsl has them: little-endian, the low word first
+    GLuint64 released, deposited, melted, left_world;
 };
 
 }  // namespace
