@@ -36,7 +36,7 @@ struct Weather {
     vec3 world_min;    // m, corner of the box outside which a flake is lost
     float time_step;   // s
     vec3 world_max;    // m
-    float lifetime;    // s, mean
+    float lifetime;    // s in the air, mean
     uint particles;    // in the pool: the first half is of emitter 0, the rest of emitter 1
     uint seed;
     float variation;    // relative spread of speed, diameter and lifetime from flake to flake
@@ -211,14 +211,15 @@ SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
     return weather.melt_time - p.rest;
 }
 
-// What is left of its lifetime (s) or of the way out of the world (m), whichever is less. A waiting
-// flake is outside the world.
+// What is left of its lifetime (s), of which the time it lies is no part, or of the way out of the
+// world (m), whichever is less. A waiting flake is outside the world.
 SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
 {
     float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
     float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
     float z = min(p.position.z - weather.world_min.z, weather.world_max.z - p.position.z);
-    return min(weather.lifetime * individuality(index, weather) - p.age, min(x, min(y, z)));
+    float lifetime = weather.lifetime * individuality(index, weather);
+    return min(lifetime - (p.age - p.rest), min(x, min(y, z)));
 }
 
 SNOW_INLINE bool gone(Particle p, uint index, SNOW_IN(Weather) weather)

@@ -183,6 +183,36 @@ TEST(Physics, LandedFlakeRestsMeltsAndIsRebornInItsCloud)
     EXPECT_LE(abs(flake.position.y - cloud.centre.y), cloud.half_size.y);
 }
 
+TEST(Physics, FlakeLiesForItsMeltTimeHoweverShortItsLifetime)
+{
+    Weather weather = make_weather("snow", 2, 1);
+    weather.melt_time = 60;
+    weather.lifetime = 20;
+    Particle flake = born(1, 0, weather);
+    uint step = 1;
+    while (flake.rest == 0 && step < 2000) flake = advance(flake, 1, step++, weather);
+    ASSERT_GT(flake.rest, 0);
+
+    const uint landed = step;
+    float rest = 0;
+    for (; flake.rest > 0; flake = advance(flake, 1, step++, weather)) rest = flake.rest;
+    EXPECT_NEAR(rest, weather.melt_time, 2 * weather.time_step);
+    EXPECT_NEAR(float(step - landed) * weather.time_step, weather.melt_time, 2 * weather.time_step);
+}
+
+TEST(Physics, FlakeThatNeverLandsIsLostAfterItsLifetime)
+{
+    Weather weather = calm_weather(0.1f);  // it would fall for two minutes
+    weather.lifetime = 20;
+    Particle flake = born(1, 0, weather);
+    uint step = 1;
+    for (float age = -1; flake.age > age; ++step) {
+        age = flake.age;
+        flake = advance(flake, 1, step, weather);
+    }
+    EXPECT_NEAR(float(step) * weather.time_step, weather.lifetime, 4 * weather.time_step);
+}
+
 // Explicit loops, a call for each flake: the order of the work is all that differs.
 TEST(Update, OneLoopThreeLoopsAndAdvanceAgreeToTheLastBit)
 {

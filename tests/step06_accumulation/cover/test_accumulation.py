@@ -179,6 +179,15 @@ def test_both_variants_lay_down_the_same_snow(programs, tmp_path):
     assert b"cover: lying 0" not in covers[0][0][1].encode()
 
 
+def test_snow_that_lies_longer_than_a_flake_lives_is_deposited(accumulate):
+    """A flake lives for 34 to 46 s in the air; how long it lies is no part of that."""
+    entries, cover, sums = accumulate("", "--particles", 500, "--voxels", 32, "--timelapse", 100,
+                                      "--frames", 36, "--set", "melt_time=48",
+                                      "--set", "speed_0=8", "--set", "speed_1=12")
+    check_sums(entries, cover, sums)
+    assert entries["deposited"] > 50
+
+
 def test_rain_leaves_nothing(accumulate):
     entries, cover, _ = accumulate(scenes.TABLE, "--particles", 5000, "--frames", 400,
                                    "--voxels", 64, "--weather", "rain")
