@@ -67,11 +67,18 @@ struct BusyRun {
     double wall_ms = 0;
 };
 
+// Made once: Mesa may end a program with an X error in which a second window swaps its buffers.
+const BusyRun& the_busy_run()
+{
+    static const BusyRun run;
+    return run;
+}
+
 }  // namespace
 
 TEST(Timer, FindsTheBusyStage)
 {
-    const BusyRun run;
+    const BusyRun& run = the_busy_run();
     EXPECT_EQ(run.header, "step,variant,particles,width,height,renderer,frame,frame_ms,timing,"
                           "idle_cpu_ms,idle_gpu_ms,busy_cpu_ms,busy_gpu_ms");
     ASSERT_EQ(run.rows.size(), 10u);
@@ -86,7 +93,7 @@ TEST(Timer, FindsTheBusyStage)
 
 TEST(Timer, FrameTimesAddUpToTheRun)
 {
-    const BusyRun run;
+    const BusyRun& run = the_busy_run();
     double sum = 0;
     for (const std::vector<double>& row : run.rows) sum += row[1];
     // The clock here stops before the last swap, so frames may only be longer; a hundredth is what
