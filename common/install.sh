@@ -9,18 +9,24 @@
 
 set -euo pipefail
 
-# The one list of packages. "a|b": either will do, for a package whose name depends on the release.
-declare -A packages=(
-    # A compiler, and the libraries of all six steps.
-    [build]="g++ cmake make pkg-config|pkgconf freeglut3-dev|libglut-dev libglew-dev libglm-dev
-             libstb-dev libcli11-dev libtinyobjloader-dev libimgui-dev"
-    # A display in memory, and OpenGL in software, for machines that have neither.
-    [headless]="xvfb xauth libgl1-mesa-dri"
-    # common/compare/compare.py.
-    [compare]="python3 python3-matplotlib python3-tqdm"
-    # The tests that call the code, and those that look at the pictures and press the keys.
-    [test]="libgtest-dev libbenchmark-dev python3-pytest python3-numpy python3-pil xdotool"
-)
+# The one list of packages: prints those of a group, or fails. "a|b": either will do, for a package
+# whose name depends on the release. A function, as macOS's bash (3.2) has no associative arrays.
+packages_of()
+{
+    case $1 in
+        # A compiler, and the libraries of all six steps.
+        build) echo "g++ cmake make pkg-config|pkgconf freeglut3-dev|libglut-dev libglew-dev" \
+                    "libglm-dev libstb-dev libcli11-dev libtinyobjloader-dev libimgui-dev" ;;
+        # A display in memory, and OpenGL in software, for machines that have neither.
+        headless) echo "xvfb xauth libgl1-mesa-dri" ;;
+        # common/compare/compare.py.
+        compare) echo "python3 python3-matplotlib python3-tqdm" ;;
+        # The tests that call the code, and those that look at the pictures and press the keys.
+        test) echo "libgtest-dev libbenchmark-dev python3-pytest python3-numpy python3-pil" \
+                   "xdotool" ;;
+        *) return 1 ;;
+    esac
+}
 
 # Messages go to stderr: what the programs print on stdout may be going into a file.
 say() { printf '%s\n' "$*" >&2; }
@@ -62,21 +68,23 @@ available()
 # install_missing GROUP...: returns 1, after one line that says what to do, if it cannot.
 install_missing()
 {
-    local group entry name
-    local entries wanted=() missing=() names=() unknown=() as_root=()
+    local group list entry name
+    local entries wanted=() missing=() names=() unknown=()
 
     for group in "$@"; do
-        if [[ -z ${packages[$group]:-} ]]; then
-            say "There is no group of packages called '$group', only: ${!packages[*]}."
+        if ! list=$(packages_of "$group"); then
+            say "There is no group of packages called '$group'," \
+                "only: build, headless, compare and test."
             return 1
         fi
-        read -r -d '' -a entries <<<"${packages[$group]}" || true
+        read -r -a entries <<<"$list"
         wanted+=("${entries[@]}")
     done
 
     if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         say "This system has no apt-get. Please install by hand what these Debian packages hold" \
-            "(${wanted[*]%%|*}), then build with: cmake -B build && cmake --build build"
+            "(${wanted[*]%%|*}), then build and run without this script:" \
+            "cmake -B build && cmake --build build && build/step06_accumulation"
         return 1
     fi
 
@@ -91,7 +99,7 @@ install_missing()
     local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=120)
     local by_hand="apt-get update && apt-get install -y --no-install-recommends"
     if ((EUID != 0)); then
-        as_root=(sudo)
+        apt=(sudo "${apt[@]}")
         # It may be there and still refuse this user.
         if ! command -v sudo >/dev/null || ! sudo true; then
             for entry in "${missing[@]}"; do
@@ -105,7 +113,7 @@ install_missing()
 
     # The lists of what apt offers may be empty (a fresh container) or too old to download by.
     say "Updating the package lists (apt-get update) ..."
-    quietly "${as_root[@]}" "${apt[@]}" update || say "That failed; going on with the old lists."
+    quietly "${apt[@]}" update || say "That failed; going on with the old lists."
 
     for entry in "${missing[@]}"; do
         if name=$(available "$entry"); then
@@ -123,7 +131,7 @@ install_missing()
     fi
 
     say "Installing (this can take some minutes): ${names[*]}"
-    if ! quietly "${as_root[@]}" "${apt[@]}" install --no-install-recommends "${names[@]}"; then
+    if ! quietly "${apt[@]}" install --no-install-recommends "${names[@]}"; then
         say "The packages could not be installed. To try by hand, as root: $by_hand ${names[*]}"
         return 1
     fi

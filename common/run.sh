@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
 #
 # Installs what is missing, builds what has changed and runs one step. See usage below.
+#
+# The bash of macOS (3.2) must get as far as the line that says what to do there: it knows no
+# negative indices, and takes an empty array for an unset variable.
 
 set -euo pipefail
 
@@ -32,7 +35,7 @@ END
 }
 
 # What to run: the first argument, unless it is an option already.
-target=${steps[-1]}
+target=${steps[${#steps[@]} - 1]}
 if (($# > 0)) && [[ $1 != -* ]]; then
     target=
     for step in "${steps[@]}"; do
@@ -59,14 +62,52 @@ if [[ -z ${DISPLAY:-} ]]; then
     headless=true
 fi
 
+# Nobody can see the window or close it, so stop after a while and leave a picture, unless the
+# options already say what is to come of it.
+picture=
+timelapse=20
+if $headless && [[ $target != compare ]]; then
+    picture=$PWD/snowfall_${target%%_*}.png
+    for option in "$@"; do
+        case $option in
+            --timelapse*) timelapse= ;;
+            --frames* | --benchmark* | --screenshot* | --dump* | --help* | -h) picture= ;;
+        esac
+    done
+fi
+
+# Succeeds if a file or folder can be written or, where there is none, be made.
+writable()
+{
+    local path=$1
+    [[ -e $path ]] || path=$(dirname "$path")
+    [[ -w $path ]]
+}
+
+# Said now, not after minutes of installing, building and drawing.
+if [[ -n $picture ]] && ! writable "$picture"; then
+    say "The picture $picture cannot be written. Please start this in a folder of your own."
+    exit 1
+fi
+if ! writable "$root/build"; then
+    say "The folder $root/build cannot be written. Please copy $root to a place of your own."
+    exit 1
+fi
+
 groups=(build)
 if $headless; then groups+=(headless); fi
 if [[ $target == compare ]]; then groups+=(compare); fi
 install_missing "${groups[@]}"
 
 say "Building in $root/build ..."
-quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_TESTS=OFF
-quietly cmake --build "$root/build" --parallel "$(nproc)"
+if ! quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_TESTS=OFF; then
+    say "CMake failed, as it says above. If $root was moved or copied, remove its folder 'build'."
+    exit 1
+fi
+if ! quietly cmake --build "$root/build" --parallel "$(nproc)"; then
+    say "The build in $root/build failed, as the compiler says above."
+    exit 1
+fi
 
 if [[ $target == compare ]]; then
     # Debian's own, which has the packages just installed; the first in PATH may be another.
@@ -79,27 +120,16 @@ if ! $headless; then
     exec "${command[@]}"
 fi
 
-# Nobody can see the window or close it, so stop after a while and leave a picture, unless the
-# options already say what is to come of it.
-picture=
-timelapse=(--timelapse 20)
-if [[ $target != compare ]]; then
-    picture=$PWD/snowfall_${target%%_*}.png
-    for option in "$@"; do
-        case $option in
-            --timelapse*) timelapse=() ;;
-            --frames* | --benchmark* | --screenshot* | --dump* | --help* | -h) picture= ;;
-        esac
-    done
-fi
 if [[ -n $picture ]]; then
-    command+=("${timelapse[@]}" --frames 90 --screenshot "$picture")
+    command+=(${timelapse:+--timelapse "$timelapse"} --frames 90 --screenshot "$picture")
     say "There is no display: drawing 90 frames in memory ..."
 fi
 
 status=0
 xvfb-run -a -s "-screen 0 2560x1440x24" "${command[@]}" || status=$?
-if ((status == 0)) && [[ -n $picture ]]; then
+if ((status > 128)); then
+    say "$target was ended by a signal (exit status $status)."
+elif ((status == 0)) && [[ -n $picture ]]; then
     say "The last frame is in $picture"
 fi
 exit "$status"
