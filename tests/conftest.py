@@ -82,6 +82,16 @@ class Programs:
         self.build = build
         self.folder = folder
 
+    def preloaded(self, library):
+        """The variables that load one of the tests' libraries into a program, after those loaded.
+
+        By its bare name: LD_PRELOAD is split at spaces, of which the build folder's path may have
+        some; LD_LIBRARY_PATH is not.
+        """
+        names = [*os.environ.get("LD_PRELOAD", "").split(), f"lib{library}.so"]
+        folders = [str(self.build / "tests"), *os.environ.get("LD_LIBRARY_PATH", "").split(":")]
+        return {"LD_PRELOAD": " ".join(names), "LD_LIBRARY_PATH": ":".join(filter(None, folders))}
+
     def command(self, step, *arguments):
         return [str(self.build / step), *map(str, arguments)]
 

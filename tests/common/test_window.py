@@ -2,7 +2,6 @@
 
 import csv
 import ctypes
-import os
 import re
 import signal
 import subprocess
@@ -112,9 +111,8 @@ def open_program(programs, tmp_path):
 @pytest.mark.parametrize("step", STEPS)
 def test_frames_asked_for_are_frames_shown(programs, tmp_path, step, frames, warmup):
     count = tmp_path / "count"
-    preload = f"{os.environ.get('LD_PRELOAD', '')}:{programs.build}/tests/libcount_swaps.so"
     programs.run_well(step, *small(step), "--frames", frames, "--warmup", warmup,
-                      environment={"LD_PRELOAD": preload, "SWAPS_FILE": str(count)})
+                      environment={**programs.preloaded("count_swaps"), "SWAPS_FILE": str(count)})
     assert int(count.read_text()) == frames + warmup
 
 

@@ -1,6 +1,5 @@
 """Fewer flakes where frames take too long (step 6), each the heavier."""
 
-import os
 import re
 
 import pytest
@@ -40,11 +39,11 @@ def test_a_part_of_next_to_nothing(programs):
 
 def test_it_gives_way_to_a_load_and_recovers(programs):
     """At 6 frames a second: 20 that take twice too long, then enough fast ones. No flake is lost."""
-    preload = f"{os.environ.get('LD_PRELOAD', '')}:{programs.build}/tests/libcount_swaps.so"
     result = programs.run_well(STEP, *SMALL, "--particles", 3000, "--voxels", 64, "--weather", "hail",
                                "--set", "melt_time=0.3", "--set", "tessellation=0",
                                "--hold-fps", 6, "--frames", 250,
-                               environment={"LD_PRELOAD": preload, "SWAPS_LOAD": "20 39 350 25"})
+                               environment={**programs.preloaded("count_swaps"),
+                                            "SWAPS_LOAD": "20 39 350 25"})
     said = re.findall(r"^holding 6 fps: (\d+) % of the flakes live$", result.stdout, re.MULTILINE)
     shares = [100, *map(int, said)]
     assert min(shares) <= 60 and shares[-1] >= 70
