@@ -1,53 +1,13 @@
 // OBJ files of all kinds; test_collision.py has those that a program must refuse.
 #include "common/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
+#include <cmath>
 #include <iterator>
-#include <sstream>
+#include <string>
 
-namespace fs = std::filesystem;
+#include "tests/unit/scene_file.hpp"
+
 using glm::vec3;
-
-namespace {
-
-class SceneFile : public testing::Test {
-protected:
-    void SetUp() override
-    {
-        folder = fs::path(testing::TempDir()) / ("snowfall_scene_" + std::to_string(getpid()));
-        fs::create_directories(folder);
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
-    Scene load(const std::string& text, char up = 'y')
-    {
-        std::ofstream(folder / "scene.obj", std::ios::binary) << text;
-        return load_scene(folder / "scene.obj", up);
-    }
-    fs::path folder;
-};
-
-// m2, and as seen from above
-double area(const Scene& scene, bool seen_from_above = false)
-{
-    double sum = 0;
-    for (size_t i = 0; i < scene.vertices.size(); i += 3) {
-        const vec3 a = scene.vertices[i].position;
-        const vec3 across =
-            glm::cross(scene.vertices[i + 1].position - a, scene.vertices[i + 2].position - a);
-        sum += 0.5 * (seen_from_above ? across.y : glm::length(across));
-    }
-    return sum;
-}
-
-// 16 m wide, as wide as the world allows: it is not scaled.
-const std::string square = "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 -8\n";
-
-}  // namespace
 
 TEST_F(SceneFile, WithPolygonsIsDividedIntoTriangles)
 {
@@ -130,16 +90,31 @@ TEST_F(SceneFile, MayHavePolygonsThatAreNotFlat)
     EXPECT_NEAR(area(scene, true), 256, 1e-3);
 }
 
-TEST_F(SceneFile, RefusesPolygonsWithMoreCornersThanCanBeCounted)
+// A face of many corners around the y axis, 16 m wide; every second one at `inner` of the radius.
+static std::string star(int corners, double inner)
 {
-    std::string face = "f";
-    for (int i = 0; i < 256; ++i) face.append(" ").append(std::to_string(i % 4 + 1));
-    try {
-        load(square + face + "\n");
-        FAIL();
-    } catch (const std::runtime_error& error) {
-        EXPECT_NE(std::string(error.what()).find("line 5: 256 corners"), std::string::npos);
+    std::ostringstream text;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * M_PI * i / corners, radius = i % 2 ? 8 * inner : 8;
+        text << "v " << radius * std::cos(angle) << " 0 " << radius * std::sin(angle) << "\n";
     }
+    text << "f";
+    for (int i = corners; i > 0; --i) text << " " << i;
+    return text.str() + "\n";
+}
+
+TEST_F(SceneFile, MayHavePolygonsOfManyCorners)
+{
+    for (const int corners : {256, 1000, 5000}) {
+        const Scene disc = load(star(corners, 1));
+        EXPECT_EQ(disc.vertices.size(), 3u * size_t(corners - 2));
+        EXPECT_NEAR(area(disc, true), M_PI * 64, 0.1);
+        EXPECT_NEAR(area(disc), area(disc, true), 0.01);
+        const Scene spiky = load(star(corners, 0.5));
+        EXPECT_NEAR(area(spiky, true), M_PI * 32, 0.1);
+        EXPECT_NEAR(area(spiky), area(spiky, true), 0.01);
+    }
+    EXPECT_NE(refusal(star(10001, 1)).find("line 10002: 10001 corners"), std::string::npos);
 }
 
 TEST_F(SceneFile, MayCountItsVerticesBackwards)
@@ -158,11 +133,37 @@ TEST_F(SceneFile, MayHaveTextureCoordinatesAndNormalsOrNot)
     }
 }
 
-TEST_F(SceneFile, MayHaveWindowsLineEndsCommentsAndOddSpaces)
+TEST_F(SceneFile, MayLeaveTextureCoordinatesAndNormalsEmpty)
 {
-    const Scene scene = load("# a comment\r\nv  -8 0 -8\r\nv -8\t0 8 \r\nv 8 0 8 1.0\r\n\r\n"
-                             "v 8 0 -8\r\ns off\r\nf 1 2 3 4 \r\n");
-    EXPECT_NEAR(area(scene), 256, 1e-3);
+    for (const char* face : {"f 1// 2// 3// 4//\n", "f 1/ 2/ 3/ 4/\n", "f 1/1/ 2/2/ 3/3/ 4/4/\n",
+                             "f 1/9/9 2/9/9 3/9/9 4/9/9\n"}) {
+        EXPECT_NEAR(area(load(square + face)), 256, 1e-3) << face;
+    }
+}
+
+TEST_F(SceneFile, MayHaveOddLineEndsCommentsAndSpaces)
+{
+    const std::string text = "# a comment\nv  -8 0 -8\nv -8\t0 8 \nv 8 0 8 1.0 # a corner\n\n"
+                             "v 8 0 -8\t#another\ns off\nf 1 2 3 4 \\\n   # the floor\n"
+                             "# a backslash at the end of this goes nowhere: C:\\\n"
+                             "\t v 0 6 \\\n 0#\nf 1 2 \\\n5\n";
+    for (const std::string line_end : {"\n", "\r\n", "\r"}) {
+        std::string ended, marked = "\xEF\xBB\xBF";
+        for (const char c : text) ended += c == '\n' ? line_end : std::string(1, c);
+        const double expected = 256 + 0.5 * 16 * 10;
+        EXPECT_NEAR(area(load(ended)), expected, 1e-3);
+        EXPECT_NEAR(area(load(marked + ended)), expected, 1e-3);
+        // The number of the line is still that of the file.
+        EXPECT_NE(refusal(marked + ended + "f 1 2" + line_end).find("line 15: 2 corners"),
+                  std::string::npos)
+            << refusal(ended + "f 1 2" + line_end);
+    }
+}
+
+TEST_F(SceneFile, DoesNotLoseAVertexToAByteOrderMark)
+{
+    EXPECT_NEAR(area(load("\xEF\xBB\xBF" + square + "v 0 6 0\nf 1 2 3\nf 1 3 4\n"), true), 256,
+                1e-3);
 }
 
 TEST_F(SceneFile, WithoutLineEndAtTheEndIsWhole)
@@ -176,33 +177,19 @@ TEST_F(SceneFile, MayHoldSeveralObjectsAndGroups)
     EXPECT_NEAR(area(scene), 256, 1e-3);
 }
 
-TEST_F(SceneFile, TakesItsColoursFromTheMaterialsBesideIt)
+TEST_F(SceneFile, MayHaveColoursAtItsVertices)
 {
-    std::ofstream(folder / "scene.mtl") << "newmtl red\nKd 0.75 0.25 0.125\n";
-    const Scene scene =
-        load("mtllib scene.mtl\n" + square + "usemtl red\nf 1 2 3\nusemtl none\nf 1 3 4\n");
-    EXPECT_EQ(scene.vertices[0].colour, vec3(0.75f, 0.25f, 0.125f));
-    EXPECT_EQ(scene.vertices[5].colour, vec3(0.5f));
-}
-
-TEST_F(SceneFile, TellsWhatShines)
-{
-    std::ofstream(folder / "m.mtl")
-        << "newmtl stone\nKd 0.1 0.2 0.3\nnewmtl glass\nKd 1 1 1\nKe 1 0.5 0.25\n";
-    const Scene scene = load("mtllib m.mtl\n" + square +
-                             "v 0 1 0\nv 1 1 0\nv 0 2 0\n"
-                             "usemtl stone\nf 1 2 3 4\nusemtl glass\nf 5 6 7\n");
-    ASSERT_EQ(scene.vertices.size(), 9u);
-    ASSERT_EQ(scene.lamps.size(), 3u);
-    EXPECT_EQ(scene.lamps[0].position, vec3(0, 1, 0));
-    EXPECT_EQ(scene.lamps[0].colour, vec3(1, 0.5f, 0.25f));
-    EXPECT_EQ(scene.vertices[6].colour, vec3(1));  // by day it looks like any other
-}
-
-TEST_F(SceneFile, IsGreyIfItsMaterialsAreMissing)
-{
-    const Scene scene = load("mtllib none.mtl\n" + square + "usemtl red\nf 1 2 3 4\n");
-    EXPECT_EQ(scene.vertices[0].colour, vec3(0.5f));
+    const std::string coloured = "v -8 0 -8 1 0 0\nv -8 0 8 0 1 0\nv 8 0 8 0 0.5 7\nf 1 2 3\n";
+    for (const Vertex& vertex : load(coloured).vertices) {
+        if (vertex.position.z < 0)
+            EXPECT_EQ(vertex.colour, vec3(1, 0, 0));
+        else if (vertex.position.x < 0)
+            EXPECT_EQ(vertex.colour, vec3(0, 1, 0));
+        else
+            EXPECT_EQ(vertex.colour, vec3(0, 0.5f, 1)) << "no more than 1";
+    }
+    write("m.mtl", "newmtl red\nKd 0.5 0 0\n");
+    EXPECT_EQ(load("mtllib m.mtl\nusemtl red\n" + coloured).vertices[1].colour, vec3(0.5f, 0, 0));
 }
 
 TEST_F(SceneFile, IsFittedIntoTheWorldWithItsFloorOnTheGround)
@@ -217,6 +204,63 @@ TEST_F(SceneFile, IsFittedIntoTheWorldWithItsFloorOnTheGround)
     const float micrometre = 1e-6f;  // as finely as a float tells points 8 m away apart
     EXPECT_LE(glm::distance(least, vec3(-8, 0, -8)), micrometre);
     EXPECT_LE(glm::distance(most, vec3(8, 0.4f, 8)), micrometre);
+}
+
+// A stair of 5 steps at this place, in metres.
+static std::string stair(double x, double y, double z)
+{
+    std::ostringstream text;
+    text.precision(12);
+    for (int step = 0; step < 5; ++step) {
+        const double left = x + 0.4 * step, height = y + 0.3 * step;
+        for (const double across : {left, left + 0.4})
+            text << "v " << across << " " << height << " " << z << "\n"
+                 << "v " << across << " " << height << " " << z + 6 << "\n";
+        text << "f -4 -3 -1 -2\n";
+    }
+    return text.str();
+}
+
+TEST_F(SceneFile, KeepsItsShapeFarFromItsOrigin)
+{
+    const Scene near = load(stair(0, 0, 0)), far = load(stair(691500, 300, 5336200));
+    ASSERT_EQ(near.vertices.size(), far.vertices.size());
+    for (size_t i = 0; i < near.vertices.size(); ++i) {
+        EXPECT_LE(glm::distance(near.vertices[i].position, far.vertices[i].position), 1e-5f);
+    }
+}
+
+TEST_F(SceneFile, IsRefusedIfItIsNoSizeAtAll)
+{
+    const auto triangle = [](const std::string& size) {
+        return "v 0 0 -" + size + "\nv 0 0 " + size + "\nv " + size + " 0 0\nf 1 2 3\n";
+    };
+    for (const char* size : {"3e38", "1e-38", "1e-45", "1e308", "1e35", "1e-35"})
+        EXPECT_NE(refusal(triangle(size)).find("scene.obj: it is"), std::string::npos) << size;
+    for (const char* size : {"1e-12", "0.001", "1e6", "1e+12"})
+        EXPECT_NEAR(area(load(triangle(size))), 64, 1e-3) << size;
+    for (const char* size : {"1e309", "nan", "inf", "0x10", "1,5", "1e", "-", "1.5m"}) {
+        const std::string line = "line 3: '" + std::string(size) + "' is no coordinate";
+        EXPECT_NE(
+            refusal("v 0 0 0\nv 1 1 1\nv 0 " + std::string(size) + " 0\nf 1 2 3\n").find(line),
+            std::string::npos)
+            << size;
+    }
+}
+
+TEST_F(SceneFile, MayNameVerticesThatFollow)
+{
+    EXPECT_NEAR(area(load("f 1 2 3 4\n" + square)), 256, 1e-3);
+}
+
+TEST_F(SceneFile, IsRefusedWithTheLineOfABadCorner)
+{
+    for (const char* corner :
+         {"0", "5", "-5", "x", "1x", "1/x", "1.5", "99999999999", "99999999999999999999",
+          "-99999999999999999999", "/1", "4294967297"}) {
+        const std::string reason = refusal(square + "f 1 2 " + corner + "\n");
+        EXPECT_NE(reason.find("scene.obj: line 5: "), std::string::npos) << corner << reason;
+    }
 }
 
 TEST_F(SceneFile, MayHaveZUp)

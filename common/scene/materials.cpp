@@ -1,0 +1,152 @@
+#include "common/scene/materials.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+// The file `name` in `folder`, or one whose name differs from it in capitals only.
+std::optional<fs::path> find_file(fs::path folder, std::string name)
+{
+    std::replace(name.begin(), name.end(), '\\', '/');
+    std::error_code error;
+    for (const fs::path& part : fs::path(name)) {
+        fs::path next = folder / part;
+        if (!fs::exists(next, error)) {
+            const auto is_similar = [&](const fs::path& file) {
+                return lower_case(file.filename().string()) == lower_case(part.string());
+            };
+            const fs::directory_iterator files(folder.empty() ? "." : folder, error), end;
+            const auto file = std::find_if(files, end, is_similar);
+            if (file == end) return {};
+            next = folder / file->path().filename();
+        }
+        folder = next;
+    }
+    if (!fs::exists(folder, error) || fs::is_directory(folder, error)) return {};
+    return folder;
+}
+
+// What has no exact match is compared by this: in small letters, and without a comment.
+std::string similar(std::string_view name)
+{
+    std::string words;
+    for (auto word = take_word(name); !word.empty() && word[0] != '#'; word = take_word(name))
+        words += lower_case(word) + ' ';
+    return words;
+}
+
+// Three numbers, or one that stands for all three.
+std::optional<dvec3> to_colour(std::string_view text)
+{
+    text = without_comment(text);
+    dvec3 colour(0);
+    int count = 0;
+    while (count < 3 && !text.empty()) {
+        const std::optional<double> value = to_number(take_word(text));
+        if (!value) return {};
+        colour[count++] = *value;
+    }
+    if (count == 1) return dvec3(colour[0]);
+    if (count == 3) return colour;
+    return {};
+}
+
+}  // namespace
+
+void Materials::read(const Statement& mtllib)
+{
+    const auto read_if_found = [&](std::string_view name) {
+        const std::optional<fs::path> path = find_file(scene_.parent_path(), std::string(name));
+        if (path && files_.insert(*path).second) {
+            try {
+                read_file(*path);
+            } catch (const std::runtime_error& error) {
+                warn(scene_, mtllib, error.what());
+            }
+        }
+        return path.has_value();
+    };
+    // The whole line is one name, perhaps with folders of another machine; or each word is one.
+    std::string_view names = mtllib.rest;
+    if (read_if_found(names) || read_if_found(names.substr(names.find_last_of("/\\") + 1))) return;
+    bool found = false;
+    for (auto name = take_word(names); !name.empty() && name[0] != '#'; name = take_word(names))
+        found |= read_if_found(name);
+    if (!found) warn(scene_, mtllib, "no such file, its materials are grey");
+}
+
+void Materials::read_file(const fs::path& path)
+{
+    Statements statements(path);
+    Material ignored;
+    Material* material = &ignored;  // the one that the statements are about
+    bool has_picture = false;
+    while (const std::optional<Statement> statement = statements.next()) {
+        const auto set = [&](vec3& colour, double most) {
+            const std::optional<dvec3> given = to_colour(statement->rest);
+            if (!given) return warn(path, *statement, "not a colour, ignored");
+            const dvec3 inside = glm::clamp(*given, 0.0, most);
+            if (*given != inside) {
+                warn(path, *statement, "outside 0 to " + std::to_string(int(most)) + ", clamped");
+            }
+            colour = inside;
+        };
+        if (statement->keyword == "newmtl") {
+            has_picture = false;
+            const auto [place, is_new] =
+                by_name_.emplace(std::string(statement->rest), materials_.size());
+            by_similar_name_.emplace(similar(statement->rest), materials_.size());
+            if (is_new) materials_.emplace_back();
+            material = is_new ? &materials_.back() : &ignored;
+        } else if (statement->keyword == "kd") {
+            set(material->colour, 1);
+        } else if (statement->keyword == "ke") {
+            const double brightest = 1000;  // 1 is white paper in a bright room
+            set(material->light, brightest);
+        } else if (statement->keyword == "map_kd") {
+            warn(path, *statement, "pictures are not supported, one colour takes their place");
+            has_picture = true;
+        }
+        // Many write black where the picture has the colour.
+        if (has_picture && material->colour == vec3(0)) material->colour = Material{}.colour;
+    }
+}
+
+size_t Materials::find(const Statement& usemtl)
+{
+    if (const auto found = by_name_.find(usemtl.rest); found != by_name_.end())
+        return found->second;
+    const auto found = by_similar_name_.find(similar(usemtl.rest));
+    if (found != by_similar_name_.end()) return found->second;
+    warn(scene_, usemtl, "no such material, grey instead");
+    return 0;
+}
+
+void Materials::warn(const fs::path& file, const Statement& about, const std::string& loss)
+{
+    for (Warning& warning : warnings_) {
+        if (warning.loss != loss) continue;
+        ++warning.count;
+        return;
+    }
+    const std::string first =
+        file.string() + ": line " + std::to_string(about.line) + ": " + quoted(about.text);
+    warnings_.push_back({loss, first, 1});
+}
+
+void Materials::print_warnings() const
+{
+    for (const auto& [loss, first, count] : warnings_) {
+        std::cerr << "warning: " << first << ": " << loss;
+        if (count > 1) std::cerr << " (and " << count - 1 << " more)";
+        std::cerr << std::endl;
+    }
+}

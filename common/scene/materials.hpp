@@ -1,0 +1,50 @@
+// The materials of a scene, from the MTL files that it names.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/scene/statements.hpp"
+
+struct Material {
+    glm::vec3 colour{0.5f};  // diffuse (Kd), linear, 0 to 1; grey where there is none
+    glm::vec3 light{0};      // what it shines by itself (Ke)
+};
+
+// Without its materials a scene is grey, but no worse. So nothing is refused here: what gets lost
+// is told on stderr, each kind of loss in one line.
+class Materials {
+public:
+    explicit Materials(const std::filesystem::path& scene) : scene_(scene) {}
+
+    // Reads the files that the statement names, relative to the scene's folder. Their names may
+    // have blanks, \ for /, and capitals where the file has small letters.
+    void read(const Statement& mtllib);
+
+    // The number of the material that the statement names; 0, plain grey, if there is none.
+    size_t find(const Statement& usemtl);
+
+    const Material& operator[](size_t number) const { return materials_[number]; }
+
+    void print_warnings() const;
+
+private:
+    void read_file(const std::filesystem::path& path);
+    void warn(const std::filesystem::path& file, const Statement& about, const std::string& loss);
+
+    struct Warning {
+        std::string loss, first;  // what was lost, and where for the first time
+        int count;
+    };
+
+    std::filesystem::path scene_;
+    std::vector<Material> materials_{Material{}};
+    std::map<std::string, size_t, std::less<>> by_name_, by_similar_name_;
+    std::set<std::filesystem::path> files_;  // those that were read
+    std::vector<Warning> warnings_;
+};
