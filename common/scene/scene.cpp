@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "common/scene/obj.hpp"
+#include "common/scene/orientation.hpp"
 #include "common/scene/polygon.hpp"
 
 namespace {
@@ -67,10 +68,11 @@ void compute_normals(std::vector<Vertex>& vertices)
 Scene load_scene(const std::filesystem::path& path, char up)
 {
     if (path == "none") return {};
-    const Obj obj = read_obj(path);
+    Obj obj = read_obj(path);
     if (obj.polygons.empty()) refuse_scene(path, "it has no faces (is it a Wavefront OBJ file?)");
     const auto [points, factor] = fit(path, obj, up);
     obj.materials.print_warnings();
+    orient(obj.polygons, points);
 
     Scene scene;
     std::vector<vec3> light;  // of each vertex

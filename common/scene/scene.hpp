@@ -21,8 +21,9 @@ struct Scene {
 // Reads `path` and scales the scene to fit a box 16 m wide and deep and 6 m high, below the clouds;
 // its floor comes to lie on y = 0 and its middle on the y axis. Says by what factor. `up` is the
 // axis, 'y' or 'z', that points up in the file. Polygons with more than three corners are divided;
-// what has no colour is grey, and what gets lost of materials is told on stderr. The path "none" is
-// the empty scene. Throws std::runtime_error naming file and line.
+// sheets face up and bodies outwards, whichever way the file has them; what has no colour is grey,
+// and what gets lost of materials is told on stderr. The path "none" is the empty scene. Throws
+// std::runtime_error naming file and line.
 Scene load_scene(const std::filesystem::path& path, char up);
 
 // Triangles of a scene on the GPU: attributes 0 to 2 are the fields of Vertex.

@@ -18,7 +18,7 @@ TEST_F(SceneFile, WithPolygonsIsDividedIntoTriangles)
 
 TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
 {
-    // An L, from each of its corners on, facing up and facing down, lying and standing.
+    // An L, from each of its corners on, run either way around, lying and standing.
     const std::string corners[] = {
         "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 4\nv -4 0 4\nv -4 0 -8\n",
         "v 0 -8 0\nv 16 -8 0\nv 16 8 0\nv 12 8 0\nv 12 -4 0\nv 0 -4 0\n"};
@@ -39,7 +39,7 @@ TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
                                 3.0f;
             EXPECT_TRUE(middle.x < -4 || middle.z > 4) << "outside the L";
         }
-        EXPECT_NEAR(area(load(corners[0] + "f " + reversed + "\n"), true), -112, 1e-3);
+        EXPECT_NEAR(area(load(corners[0] + "f " + reversed + "\n"), true), 112, 1e-3);
         // Standing, it is scaled to a height of 6 m.
         EXPECT_NEAR(area(load(corners[1] + "f " + face + "\n")), 112 * 0.375 * 0.375, 1e-3);
     }

@@ -79,6 +79,25 @@ def test_a_scene_far_from_its_origin_looks_the_same(draw, tmp_path):
     assert len(numpy.unique(near.reshape(-1, 3), axis=0)) > 10
 
 
+def test_faces_that_run_around_the_wrong_way_or_both_look_the_same(draw, tmp_path):
+    faces = [scenes.FLOOR, scenes.quad((-3, 2, -3), (-3, 2, 3), (3, 2, 3), (3, 2, -3)),
+             scenes.quad((-3, 1, 4), (-3, 2, 6), (3, 2, 6), (3, 1, 4))]
+
+    def over(face):
+        return [*face[:-1], "f -1 -2 -3 -4"]
+
+    def picture(*parts):
+        path = tmp_path / "scene.obj"
+        path.write_text(scenes.text(*parts))
+        return draw(path)[0]
+
+    expected = picture(*faces[:2], over(faces[2]))
+    # The triangles may be cut the other way: the same plane, but for the last bit.
+    for parts in ([over(face) for face in faces], [*faces, *map(over, faces)],
+                  [*map(over, faces), *faces]):
+        assert (abs(picture(*parts) - expected).max(axis=2) > 8).sum() <= 3
+
+
 def test_a_pipe_that_ends_is_a_scene(draw, tmp_path):
     path = tmp_path / "pipe"
     os.mkfifo(path)
