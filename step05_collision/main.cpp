@@ -102,5 +102,5 @@ int main(int argc, char** argv)
          .has_scene = true,
          .extensions = {"GL_ARB_shader_atomic_counters",
                         "GL_ARB_shader_image_load_store"},  // which has glMemoryBarrier
-         .limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 4, "atomic counters in vertex shaders"}}});
+         .limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"}}});
 }

@@ -126,6 +126,6 @@ int main(int argc, char** argv)
          .has_scene = true,
          .has_cover = true,
          .limits = {
-             {GL_MAX_VERTEX_ATOMIC_COUNTERS, 4, "atomic counters in vertex shaders"},
+             {GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"},
              {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 2, "storage buffers in vertex shaders"}}});
 }

@@ -20,7 +20,8 @@ TEST(Pacing, FollowsTheClockAndOwesWhatIsLess)
     Controls controls;
     const CommandLine command = realtime();
     int ticks = 0;
-    for (int frame = 0; frame < 240; ++frame) ticks += pacing.begin_frame(command, 1 / 240.0, controls);
+    for (int frame = 0; frame < 240; ++frame)
+        ticks += pacing.begin_frame(command, 1 / 240.0, controls);
     EXPECT_NEAR(ticks, 60, 1);  // rounding may leave the last one for the next frame
 }
 
@@ -58,7 +59,8 @@ TEST(Pacing, PausesAndMakesSingleSteps)
     EXPECT_EQ(pacing.begin_frame(command, 1, controls), 1);
     EXPECT_EQ(pacing.begin_frame(command, 1, controls), 0);
     controls.paused = false;
-    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 0) << "what passed meanwhile is not caught up";
+    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 0)
+        << "what passed meanwhile is not caught up";
 }
 
 TEST(Pacing, MakesAsManyStepsAsAreDue)

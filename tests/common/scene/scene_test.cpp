@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "tests/unit/scene_file.hpp"
+#include "tests/common/scene/scene_file.hpp"
 
 using glm::vec3;
 

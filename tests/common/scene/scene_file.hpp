@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "common/scene.hpp"
+#include "common/scene/scene.hpp"
 
 class SceneFile : public testing::Test {
 protected:

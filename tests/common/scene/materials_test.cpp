@@ -1,7 +1,7 @@
 // Colours of scenes: found in all kinds of MTL files, and not lost without a word.
-#include "common/materials.hpp"
+#include "common/scene/materials.hpp"
 
-#include "tests/unit/scene_file.hpp"
+#include "tests/common/scene/scene_file.hpp"
 
 using glm::vec3;
 
