@@ -32,6 +32,9 @@ private:
     void (*remove_)(GLuint) = nullptr;
 };
 
+// To be called after a large allocation. Throws std::runtime_error if OpenGL had no memory for it.
+void check_memory(const char* what, double bytes);
+
 inline GlObject make_buffer()
 {
     GLuint id = 0;

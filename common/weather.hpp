@@ -27,7 +27,6 @@ struct Parameter {
     char key = 0;  // that turns a switch on and off
 };
 
-// Those of `weather`.
-std::vector<Parameter> weather_parameters(Weather& weather);
+std::vector<Parameter> weather_parameters(Weather& weather);  // those of the weather
 
 }  // namespace snow

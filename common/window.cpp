@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iostream>
 #include <stdexcept>
 #include <utility>
 
@@ -51,7 +50,7 @@ Window::Window(CommandLine command)
     // freeglut destroys window and context after this. But a context that is current lives on until
     // it no longer is (GLX 1.4, 3.3.7), so what was computed can still be read back, and objects
     // deleted.
-    glutCloseFunc([] { the_window->closing_ = the_window->gone_ = true; });
+    glutCloseFunc([] { the_window->on_close(); });
     catch_interrupts();
     harness_->begin_run();
     glutMainLoopEvent();  // it is mapped, and may at once be of another size
@@ -68,7 +67,7 @@ Window::~Window()
 
 bool Window::begin_frame()
 {
-    if (closing_ || harness_->enough() || harness_->controls.restart) {
+    if (closing_ || harness_->failed() || harness_->enough() || harness_->controls.restart) {
         harness_->report(size_);
         return false;
     }
@@ -79,7 +78,9 @@ bool Window::begin_frame()
 
 void Window::swap_buffers()
 {
+    drawn_ = true;
     take_events();
+    drawn_ = false;
     if (gone_) {  // and with it what was drawn
         harness_->drop_frame();
         return;
@@ -87,6 +88,13 @@ void Window::swap_buffers()
     harness_->finish_frame(size_, closing_ || harness_->enough());
     glutSwapBuffers();
     harness_->frame_shown();
+}
+
+// The last moment at which what was drawn can be saved.
+void Window::on_close()
+{
+    closing_ = gone_ = true;
+    if (drawn_) harness_->finish_frame(size_, true);
 }
 
 void Window::take_events()
@@ -143,23 +151,4 @@ void Window::on_motion(int x, int y)
 void Window::on_reshape(int width, int height)
 {
     the_window->next_size_ = {std::max(width, 1), std::max(height, 1)};
-}
-
-void Window::run()
-{
-    harness_->command.chosen().run(*this);
-    while (harness_->controls.restart && !closing_) {
-        harness_->begin_run();
-        harness_->command.chosen().run(*this);
-    }
-}
-
-int run_lesson(int argc, char** argv, const Lesson& lesson)
-try {
-    Window window(parse_command_line(argc, argv, lesson));
-    window.run();
-    return 0;
-} catch (const std::exception& failure) {
-    std::cerr << "error: " << failure.what() << std::endl;
-    return 1;
 }

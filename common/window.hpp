@@ -76,6 +76,7 @@ private:
     friend int run_lesson(int argc, char** argv, const Lesson& lesson);
     void run();
     void take_events();
+    void on_close();
     static void on_key(unsigned char key, int x, int y);
     static void on_button(int button, int state, int x, int y);
     static void on_motion(int x, int y);
@@ -88,5 +89,6 @@ private:
     glm::ivec2 mouse_{};
     bool dragging_ = false;
     bool closing_ = false, gone_ = false;  // the window is to be closed; it is closed
+    bool drawn_ = false;                   // a frame waits to be shown
     std::map<std::type_index, std::shared_ptr<void>> shared_;
 };

@@ -24,6 +24,7 @@ void run(Window& window)
     const GlObject buffer = make_buffer();
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+    check_memory("the flakes", double(bytes));
 
     glClearColor(0.05f, 0.10f, 0.10f, 1.0f);
     while (window.begin_frame()) {

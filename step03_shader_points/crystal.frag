@@ -15,8 +15,9 @@ void main()
     float angle = float(bits >> 8u) * (6.2831853 / 16777216.0);
     mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
     vec2 place = turn * (2.0 * gl_PointCoord - 1.0);  // -1 to 1 across the sprite
-    if (dot(place, place) > 1.0) discard;
     vec2 tile = vec2(bits & 3u, (bits >> 2u) & 3u);
+    // Before any pixel is discarded: the mipmap level follows from the neighbours' places in the picture.
     float opacity = texture(crystals, (tile + 0.5 + 0.5 * place) / 4.0).a;
+    if (dot(place, place) > 1.0) discard;
     colour = vec4(vec3(1.0), coverage * opacity);
 }

@@ -17,13 +17,14 @@ void draw_sprite(vec3 position, float rest)
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
     // The sprite stands upright in its flake's depth, so a floor would cut off its lower half: draw it as
-    // deep as the nearest point of the flake.
-    vec4 nearest = projection * (place + vec4(0.0, 0.0, diameter(index, weather), 0.0));
+    // deep as the nearest point of the flake, which may not lie behind the eye.
+    float nearer = min(diameter(index, weather), 0.5 * gl_Position.w);
+    vec4 nearest = projection * (place + vec4(0.0, 0.0, nearer, 0.0));
     gl_Position.z = nearest.z / nearest.w * gl_Position.w;
     // projection[1][1] is 1 / tan(half the field of view), gl_Position.w the distance along the view.
     float pixels = window_height * 0.5 * projection[1][1] * diameter(index, weather) / gl_Position.w;
     gl_PointSize = max(pixels, least_pixels);
     // What would be smaller covers only a part of its sprite.
     float part = min(pixels / least_pixels, 1.0);
-    coverage = part * part * (1.0 - clamp(rest / weather.melt_time, 0.0, 1.0));
+    coverage = part * part * (1.0 - clamp(rest / max(weather.melt_time, weather.time_step), 0.0, 1.0));
 }

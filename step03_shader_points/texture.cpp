@@ -26,6 +26,7 @@ void run_texture(Window& window)
     glBindVertexArray(vao);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+    check_memory("the flakes", double(bytes));
     describe_particles();
 
     UniformBlock<Weather> weather_block;

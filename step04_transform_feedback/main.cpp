@@ -29,6 +29,7 @@ void run(Window& window)
         glBindVertexArray(vaos[i]);
         glBindBuffer(GL_ARRAY_BUFFER, buffers[i]);
         glBufferData(GL_ARRAY_BUFFER, bytes, flakes.data(), GL_DYNAMIC_COPY);
+        check_memory("the flakes", double(bytes));
         describe_particles();
     }
     int now = 0;  // the buffer that holds the flakes as they are

@@ -19,6 +19,7 @@ public:
             glBindVertexArray(half->vao);
             glBindBuffer(GL_ARRAY_BUFFER, half->buffer);
             glBufferData(GL_ARRAY_BUFFER, bytes_, flakes.data(), GL_DYNAMIC_COPY);
+            check_memory("the flakes", double(bytes_));
             describe_particles();
         }
     }

@@ -27,6 +27,7 @@ GlObject make_state_texture(ivec2 size, const std::vector<vec4>& pixels)
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, pixels.data());
+    check_memory("the flakes", double(pixels.size() * sizeof(vec4)));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;

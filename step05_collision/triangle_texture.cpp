@@ -19,6 +19,7 @@ TriangleTexture::TriangleTexture(const Scene& scene)
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
     glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(),
                  GL_STATIC_DRAW);
+    check_memory("the triangles", double(corners.size() * sizeof(glm::vec4)));
     glBindTexture(GL_TEXTURE_BUFFER, texture_);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_);
 }

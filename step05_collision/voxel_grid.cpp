@@ -126,6 +126,7 @@ GlObject upload_voxels(const VoxelGrid& grid)
     glBindTexture(GL_TEXTURE_3D, texture);
     glTexImage3D(GL_TEXTURE_3D, 0, GL_R32UI, grid.resolution / 32, grid.resolution, grid.resolution,
                  0, GL_RED_INTEGER, GL_UNSIGNED_INT, grid.words.data());
+    check_memory("the voxels", double(4 * grid.words.size()));
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;

@@ -1,5 +1,7 @@
 #include "common/harness/driver.hpp"
 
+#include "common/gl_object.hpp"
+
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 
@@ -46,9 +48,11 @@ void on_glut_error(const char* format, va_list arguments)
 {
     std::fputs("error: ", stderr);
     std::vfprintf(stderr, format, arguments);
-    std::fputs(
-        " (is DISPLAY set to a running X server? `xvfb-run` provides one without a screen)\n",
-        stderr);
+    const bool no_display = std::strstr(format, "open display") != nullptr;
+    std::fputs(no_display ? " (is DISPLAY set to a running X server? `xvfb-run` provides one "
+                            "without a screen)\n"
+                          : " (has the display OpenGL? `glxinfo -B` tells)\n",
+               stderr);
     std::_Exit(1);
 }
 
@@ -133,6 +137,18 @@ void print_debug_messages()
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(on_message, nullptr);
+}
+
+void check_memory(const char* what, double bytes)
+{
+    bool short_of_memory = false;
+    while (const GLenum error = glGetError()) short_of_memory |= error == GL_OUT_OF_MEMORY;
+    if (!short_of_memory) return;
+    char line[160];
+    std::snprintf(line, sizeof line,
+                  "not enough memory on %s: %s need %.0f MiB (try fewer --particles or --voxels)",
+                  gl_string(GL_RENDERER), what, bytes / (1 << 20));
+    throw std::runtime_error(line);
 }
 
 std::string renderer_name()

@@ -4,9 +4,14 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
+#ifndef _WIN32
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
 
 namespace fs = std::filesystem;
 
@@ -19,28 +24,46 @@ fs::path executable_folder()
     return error ? fs::current_path() : executable.parent_path();           // current folder serves
 }
 
-// Where a file is written first. Beside what a link points to, so that the link stays a link; and
-// at once to what is no file at all: /dev/null is not to be replaced by one.
-fs::path part_of(const fs::path& path)
+// Is it no file that could be replaced, but a device, a pipe, or an open file by the name of its
+// descriptor (/dev/stdout)? Such a thing is written to where it is.
+bool is_written_in_place(const fs::path& path)
 {
-    fs::path target = path;
-    if (fs::is_symlink(path)) {
-        target =
-            fs::exists(path) ? fs::canonical(path) : path.parent_path() / fs::read_symlink(path);
-    }
-    if (fs::exists(target) && !fs::is_regular_file(target)) return target;
-    return target += ".part";
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    const fs::path absolute = fs::absolute(path, error).lexically_normal();
+    const std::string top = absolute.has_root_path() ? (*std::next(absolute.begin())).string() : "";
+    return fs::exists(status) && !fs::is_directory(status) &&
+           (!fs::is_regular_file(status) || top == "dev" || top == "proc");
 }
 
-void remove_part(const fs::path& path)
+// The file that is meant: where links lead, so that a link stays a link.
+fs::path target_of(const fs::path& path)
 {
-    std::error_code ignored;
-    if (fs::is_regular_file(part_of(path), ignored)) fs::remove(part_of(path), ignored);
+    if (!fs::is_symlink(path)) return path;
+    return fs::exists(path) ? fs::canonical(path) : path.parent_path() / fs::read_symlink(path);
+}
+
+// A new, empty file beside `target`, with a name that nothing had. Empty if there can be none;
+// errno then says why.
+fs::path make_part(const fs::path& target)
+{
+#ifdef _WIN32
+    const fs::path part = fs::path(target) += ".snowfall-part";
+    return std::ofstream(part, std::ios::binary).is_open() ? part : fs::path();
+#else
+    std::string name = target.string() + ".XXXXXX";
+    const int descriptor = mkstemp(name.data());
+    if (descriptor < 0) return {};
+    const mode_t mask = umask(0);  // there is no other way to ask for it
+    umask(mask);
+    fchmod(descriptor, 0666 & ~mask);
+    close(descriptor);
+    return name;
+#endif
 }
 
 [[noreturn]] void cannot_write(const fs::path& path, const std::string& reason)
 {
-    remove_part(path);
     throw std::runtime_error("cannot write " + path.string() + ": " + reason +
                              " (choose a folder that exists and is yours to write)");
 }
@@ -82,22 +105,32 @@ std::string read_file(const fs::path& path)
 void check_writable(const fs::path& path)
 {
     if (fs::is_directory(path)) cannot_write(path, "it is a folder");
-    errno = 0;
-    const bool opened = std::ofstream(part_of(path), std::ios::app | std::ios::binary).is_open();
-    if (!opened) cannot_write(path, std::strerror(errno));
-    remove_part(path);
+    if (is_written_in_place(path)) return;  // to open a pipe would be to wait for who reads it
+    const fs::path part = make_part(target_of(path));
+    if (part.empty()) cannot_write(path, std::strerror(errno));
+    std::error_code ignored;
+    fs::remove(part, ignored);
 }
 
 void write_file(const fs::path& path, std::string_view bytes)
 {
-    const fs::path part = part_of(path);
+    if (fs::is_directory(path)) cannot_write(path, "it is a folder");
+    const bool in_place = is_written_in_place(path);
+    const fs::path target = in_place ? path : target_of(path);
+    const fs::path part = in_place ? path : make_part(target);
+    if (part.empty()) cannot_write(path, std::strerror(errno));
     errno = 0;
-    std::ofstream file(part, std::ios::binary | std::ios::trunc);
+    // Behind what is there: /dev/stdout may be a log that goes on.
+    std::ofstream file(part, in_place ? std::ios::binary | std::ios::app : std::ios::binary);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
-    if (!file) cannot_write(path, std::strerror(errno));
-    if (part.extension() != ".part") return;  // written where it belongs
+    const std::string reason = file ? "" : std::strerror(errno);
+    if (in_place && !file) cannot_write(path, reason);
+    if (in_place) return;
     std::error_code error;
-    fs::rename(part, fs::path(part).replace_extension(), error);
-    if (error) cannot_write(path, error.message());
+    if (file) fs::rename(part, target, error);
+    if (file && !error) return;
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    cannot_write(path, file ? error.message() : reason);
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <imgui.h>
 #include <iostream>
+#include <stdexcept>
 #include <utility>
 
 #include "common/harness/benchmark.hpp"
@@ -69,8 +70,10 @@ void Harness::begin_frame(Camera& camera)
 void Harness::finish_frame(glm::ivec2 size, bool last)
 {
     const uint64_t number = drawn_ > command.warmup ? drawn_ - command.warmup : 0;
-    record_frame(command, number, last, std::exchange(controls.save_picture, false),
-                 [size] { return read_back_buffer(size); });
+    attempt([&] {
+        record_frame(command, number, last, std::exchange(controls.save_picture, false),
+                     [size] { return read_back_buffer(size); });
+    });
     if (show_panel_) {
         const StageTimer stage(timer.open() ? &timer : nullptr, "panel");
         if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
@@ -110,8 +113,16 @@ void Harness::report(glm::ivec2 size)
         }
     }
     if (!command.csv.empty()) {
-        write_csv(command.csv, command, size, renderer_name(), timer.frames());
+        attempt([&] { write_csv(command.csv, command, size, renderer_name(), timer.frames()); });
     }
+}
+
+void Harness::attempt(const std::function<void()>& action)
+try {
+    action();
+} catch (const std::runtime_error& failure) {
+    std::cerr << "error: " << failure.what() << std::endl;
+    failed_ = true;
 }
 
 void Harness::show_frame_time()
@@ -220,5 +231,5 @@ void Window::note(const std::string& line)
 
 void Window::dump(const std::vector<snow::Particle>& flakes) const
 {
-    dump_flakes(harness_->command.dump, flakes);
+    harness_->attempt([&] { dump_flakes(harness_->command.dump, flakes); });
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -50,6 +51,10 @@ public:
     // A key that is neither for the panel nor for the window itself.
     void on_key(unsigned char key);
 
+    // Does something without which the rest goes on: an error is told, and remembered.
+    void attempt(const std::function<void()>& action);
+    bool failed() const { return failed_; }
+
     CommandLine command;
     FrameTimer timer;
     Controls controls;
@@ -64,6 +69,7 @@ private:
 
     std::unique_ptr<Panel> panel_;
     bool show_panel_;
+    bool failed_ = false;
     double tour_time_ = 0;   // s since it began
     bool software_ = false;  // no graphics card behind this OpenGL
     uint64_t drawn_ = 0;     // frames, warm-up included

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
@@ -68,6 +69,46 @@ glm::ivec2 parse_size(const std::string& text)
                                    "takes WIDTHxHEIGHT of 1 to 16384 pixels, not '" + text + "'");
     }
     return size;
+}
+
+std::string not_empty(const std::string& text)
+{
+    return text.empty() ? "must not be empty" : "";
+}
+
+// Every file can be written once, and a picture is a PNG.
+void check_outputs(const CommandLine& command)
+{
+    std::string extension = command.screenshot.extension().string();
+    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (!extension.empty() && extension != ".png") {
+        throw CLI::ValidationError("--screenshot", "writes PNG files, not " + extension);
+    }
+    std::vector<std::filesystem::path> seen;
+    for (const auto& output : {command.screenshot, command.dump, command.dump_cover, command.csv}) {
+        if (output.empty()) continue;
+        std::error_code error;  // is shown when it is opened
+        const std::filesystem::path file =
+            std::filesystem::weakly_canonical(std::filesystem::absolute(output), error);
+        const bool is_device =
+            std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error);
+        if (std::find(seen.begin(), seen.end(), file) != seen.end() && !is_device) {
+            throw CLI::ValidationError(output.string(), "is named for two outputs");
+        }
+        seen.push_back(file);
+    }
+}
+
+// A film in a folder that has an old one would be mixed up with it.
+void check_record_folder(const std::filesystem::path& folder)
+{
+    std::error_code error;  // is shown by what follows
+    std::filesystem::create_directories(folder, error);
+    check_writable(folder / "000001.png");
+    if (std::filesystem::exists(folder / "000001.png")) {
+        throw std::runtime_error("cannot record into " + folder.string() +
+                                 ": it holds a film already (name a new folder)");
+    }
 }
 
 void check_voxels(int voxels)
@@ -198,8 +239,13 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     app.footer(
         [&command] { return parameters_help(command) + "\n" + keys_help(command.parameters()); });
 
+    // No option takes nothing: an unset variable in a script is a mistake, not a wish.
+    for (CLI::Option* option : app.get_options()) {
+        if (option->get_items_expected_max() > 0) option->check(not_empty, "");
+    }
     try {
         app.parse(argc, argv);
+        check_outputs(command);
         command.size = parse_size(size);
         check_voxels(command.voxels);
         if (!camera.empty()) place_camera(camera, command.camera);
@@ -219,11 +265,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     for (const auto& output : {command.screenshot, command.dump, command.dump_cover, command.csv}) {
         if (!output.empty()) check_writable(output);
     }
-    if (!command.record.empty()) {
-        std::error_code error;  // is shown by what follows
-        std::filesystem::create_directories(command.record, error);
-        check_writable(command.record / "000001.png");
-    }
+    if (!command.record.empty()) check_record_folder(command.record);
     if (command.benchmark && app.count("--warmup") == 0) command.warmup = 720;
     // What is to be written after the last frame needs a last frame.
     if (!command.frames && (command.reproducible() || command.benchmark)) command.frames = 300;

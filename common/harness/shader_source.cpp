@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <stdexcept>
 
 #include "common/harness/files.hpp"
 
@@ -57,7 +58,12 @@ void ShaderSource::assemble(const std::string& file)
         } else {
             // #line tells the compiler which line of which file comes next.
             text_ += "#line 1 " + std::to_string(files_.size()) + "\n";
-            assemble(included);
+            try {
+                assemble(included);
+            } catch (
+                const std::runtime_error& error) {  // says what is missing; here it is asked for
+                throw std::runtime_error(file + ":" + std::to_string(count) + ": " + error.what());
+            }
             text_ += "#line " + std::to_string(count + 1) + " " + std::to_string(number) + "\n";
         }
     }

@@ -23,5 +23,5 @@ void main()
 bool is_surface(ivec3 cell)
 {
     ivec3 above = cell + ivec3(0, 1, 0);
-    return mass_in(cell) > 0u && mass_in(above) == 0u && !in_scene(above);
+    return mass_in(cell) > 0u && mass_in(above) == 0u && !in_base(above);
 }

@@ -61,7 +61,7 @@ void Columns::clear_depth()
         for (int x = 0; x < n; ++x) {
             bool floor = false;
             for (int y = 0; y < n; ++y) {
-                const bool wall = solid_.grid.solid({x, y, z});
+                const bool wall = y == 0 || solid_.grid.solid({x, y, z});  // as in_base has it
                 floor |= wall;
                 if (floor && !wall)
                     depth[(size_t(z) * size_t(n) + size_t(y)) * size_t(n) + size_t(x)] = 0;
@@ -70,6 +70,7 @@ void Columns::clear_depth()
     }
     glBindTexture(GL_TEXTURE_3D, depth_);
     glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, n, n, n, 0, GL_RED, GL_BYTE, depth.data());
+    check_memory("the depths of snow", 2.0 * double(depth.size()));
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
         glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);

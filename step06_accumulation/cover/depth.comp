@@ -30,8 +30,8 @@ void take_turn(ivec3 cell)
     int lower = -1;  // height of the first cell above the surface below, where there is one
     while (cell.y < resolution) {
         // Up to the first cell above a surface.
-        while (cell.y < resolution && !in_scene(cell)) cell += up;
-        while (cell.y < resolution && in_scene(cell)) cell += up;
+        while (cell.y < resolution && !in_base(cell)) cell += up;
+        while (cell.y < resolution && in_base(cell)) cell += up;
         if (cell.y == resolution) break;
         uint sum = 0u;
         for (ivec3 above = cell; mass_in(above) > 0u; above += up) sum += mass_in(above);

@@ -29,9 +29,9 @@ void transfer(ivec3 cell, ivec3 target, uint amount)
 void slide(ivec3 cell, ivec3 direction, float base, float slope)
 {
     ivec3 target = cell + direction;
-    if (!in_grid(target) || in_scene(target)) return;  // a wall
+    if (!in_grid(target) || in_base(target)) return;  // a wall
     if (mass_in(target + up) > 0u) return;             // higher snow
-    while (target.y > 0 && mass_in(target) == 0u && !in_scene(target - up)) target -= up;
+    while (target.y > 0 && mass_in(target) == 0u && !in_base(target - up)) target -= up;
     float height = float(cell.y) + float(mass_in(cell)) / float(full_cell);
     float neighbour = float(target.y) + float(mass_in(target)) / float(full_cell);
     // Where the ground falls away the snow holds together, and the edge is half as far as the neighbour.
@@ -46,7 +46,7 @@ void slide(ivec3 cell, ivec3 direction, float base, float slope)
 void fall(ivec3 cell)
 {
     ivec3 below = cell - up;
-    if (cell.y == 0 || in_scene(below)) return;
+    if (cell.y == 0 || in_base(below)) return;
     transfer(cell, below, min(full_cell - mass_in(below), mass_in(cell)));
 }
 
@@ -57,14 +57,14 @@ void take_turn(ivec3 cell)
     for (; cell.y < resolution; cell += up) {
         // Up to the next snow.
         for (; cell.y < resolution && mass_in(cell) == 0u; cell += up) {
-            if (in_scene(cell)) base = float(cell.y + 1);
+            if (in_base(cell)) base = float(cell.y + 1);
         }
         if (cell.y == resolution) break;
         fall(cell);
         // And up to its surface.
         while (mass_in(cell + up) > 0u) cell += up;
         fall(cell);
-        for (int side = 0; side < 8 && !in_scene(cell + up); ++side) {
+        for (int side = 0; side < 8 && !in_base(cell + up); ++side) {
             ivec3 surface = cell;
             while (mass_in(surface) == 0u && surface.y > 0) surface -= up;  // it may have slid already
             slide(surface, neighbours[side], base, slope * length(vec3(neighbours[side])));

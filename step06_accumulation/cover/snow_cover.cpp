@@ -49,6 +49,7 @@ SnowCover::SnowCover(const VoxelGrid& grid)
     }
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, mass_);
     glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+    check_memory("the cells of snow", double(bytes));
     glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 
     const Sums zero{};

@@ -29,10 +29,16 @@ uint mass_in(ivec3 cell)
     return in_grid(cell) ? mass[mass_index(cell)] : 0u;
 }
 
-// What a flake lands on: the scene, or a cell that snow has filled.
+// What snow can lie on but does not make: the scene, and beside it the ground, which is the lowest layer of cells.
+bool in_base(ivec3 cell)
+{
+    return in_scene(cell) || (in_grid(cell) && cell.y == 0);
+}
+
+// What a flake lands on: that, or a cell that snow has filled.
 bool solid(ivec3 cell)
 {
-    return in_scene(cell) || mass_in(cell) >= full_cell;
+    return in_base(cell) || mass_in(cell) >= full_cell;
 }
 
 // Adds to a cell as much as it has room for, and what is over to the cells above, up to a ceiling or to the top of
@@ -41,7 +47,7 @@ bool solid(ivec3 cell)
 uint add_snow(ivec3 cell, uint amount)
 {
     const int most_attempts = 512;  // what is not placed by then finds no room, either
-    for (int n = 0; n < most_attempts && amount > 0u && in_grid(cell) && !in_scene(cell); ++n) {
+    for (int n = 0; n < most_attempts && amount > 0u && in_grid(cell) && !in_base(cell); ++n) {
         uint held = mass_in(cell);
         uint part = min(amount, full_cell - held);
         if (atomicCompSwap(mass[mass_index(cell)], held, held + part) != held) continue;  // once more

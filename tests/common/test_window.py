@@ -269,6 +269,43 @@ def test_keys(open_program, tmp_path):
     assert not any(drawn[:first]) and all(drawn[first:]) and 0 < first
 
 
+def test_a_picture_that_cannot_be_saved_ends_nothing(open_program, tmp_path):
+    """A folder stands where S would write. The run goes on, and its results are not lost."""
+    step = "step01_cpu_points"
+    (tmp_path / f"{step}.png").mkdir()
+    program = open_program(step, *SMALL, "--dump", "flakes.csv", *FOREVER)
+    program.press("s")
+    program.wait_for_frames()
+    program.press("Escape")
+    _, err = program.process.communicate(timeout=PATIENCE)
+    assert program.process.returncode == 0
+    assert err.startswith("warning: cannot write") and err.count("\n") == 1
+    assert Flakes(tmp_path / "flakes.csv").airborne.any()
+
+
+def test_a_key_without_a_meaning_changes_nothing(open_program, tmp_path):
+    """Ctrl+Space has the code 0, as have settings without a key of their own."""
+    step = "step06_accumulation"
+    program = open_program(step, "--size", "160x90", "--voxels", 32, "--particles", 0)
+    program.press("h")  # the panel shows times, which change
+    program.press("space")  # the air grows thicker
+    program.picture(tmp_path)
+    before = program.picture(tmp_path)
+    program.press("ctrl+space")
+    program.picture(tmp_path)
+    assert program.picture(tmp_path) == before
+    program.press("Escape")
+    program.ends_well()
+
+
+def test_the_close_button_leaves_the_last_picture(open_program, tmp_path):
+    program = open_program("step02_vbo", *SMALL, *FOREVER, "--screenshot", "last.png")
+    program.press_close_button()
+    program.ends_well()
+    picture = numpy.asarray(PIL.Image.open(tmp_path / "last.png").convert("RGB"))
+    assert picture.shape == (64, 64, 3) and (picture != picture[0, 0]).any()  # not the empty background
+
+
 def test_panel_changes_flakes_and_variant(open_program, tmp_path):
     """Clicks down a column that crosses the slider of the flakes and the second variant's button."""
     program = open_program("step02_vbo", "--size", "400x700", "--dump", "flakes.csv", *FOREVER)

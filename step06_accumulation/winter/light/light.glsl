@@ -101,7 +101,8 @@ vec3 light_on_flake(vec3 position)
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);
     vec3 result = sky_seen_from(position + cell_of_sky() * up).w * (light.sky + light.ground);
-    float part = 0.5 + glow(normalize(position - camera.eye));
+    vec3 way = position - camera.eye;
+    float part = 0.5 + glow(way / max(length(way), 0.001));
     result += part * sunlight_at(position + 0.03 * up) * light.sun;
     vec3 to_lamp = light.lamp_position - position;
     return result + 0.5 * light.lamp / max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
@@ -121,7 +122,8 @@ vec3 air_light(vec3 direction)
 vec3 lamp_halo(vec3 position)
 {
     vec3 from = camera.eye - light.lamp_position, to = position - light.lamp_position;
-    float angle = acos(clamp(dot(normalize(from), normalize(to)), -1.0, 1.0));
+    float lengths = max(length(from) * length(to), 1e-6);  // the eye, or the point, may be in the lamp
+    float angle = acos(clamp(dot(from, to) / lengths, -1.0, 1.0));
     float closest = max(length(cross(from, to)) / distance(camera.eye, position), light.lamp_radius);
     float left = exp(-light.extinction * length(from));  // and on its way here it loses some
     return 0.25 * light.extinction * left * angle / closest * light.lamp;
@@ -130,10 +132,11 @@ vec3 lamp_halo(vec3 position)
 // What arrives at the eye of the radiance that leaves this point: the air takes some of it and adds its own.
 vec3 through_air(vec3 radiance, vec3 position)
 {
-    if (light.extinction == 0.0) return radiance;
     vec3 way = position - camera.eye;
-    vec3 air = air_light(normalize(way));
-    vec3 result = mix(air, radiance, exp(-light.extinction * length(way)));
+    float away = length(way);
+    if (light.extinction == 0.0 || away < 0.001) return radiance;  // no way has no direction, either
+    vec3 air = air_light(way / away);
+    vec3 result = mix(air, radiance, exp(-light.extinction * away));
     if (light.lamp_is_on > 0.0) result += lamp_halo(position);
     return result;
 }

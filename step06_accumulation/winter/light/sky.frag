@@ -34,7 +34,8 @@ void main()
     vec3 radiance;
     float way;  // m through snowy air
     if (direction.y < 0.0) {
-        way = max(camera.eye.y - camera.field_depth, 0.0) / -direction.y;  // to the snow on the ground
+        // To the snow on the ground; at the horizon as far as numbers are good for.
+        way = min(max(camera.eye.y - camera.field_depth, 0.0) / -direction.y, 1.0e5);
         float white = smoothstep(0.0, 0.02, camera.field_depth);
         vec3 field = mix(vec3(0.20, 0.21, 0.17), vec3(0.90, 0.93, 0.97), white);
         radiance = lit(field, vec3(0.0, 1.0, 0.0), camera.eye + way * direction);

@@ -15,7 +15,8 @@ vec3 snow_at(vec3 point)
     vec3 sum = vec3(0.0), weights = vec3(0.0);
     for (int x = 0; x < 3; ++x) {
         for (int z = 0; z < 3; ++z) {
-            float depth = texelFetch(snow_depth, cell + ivec3(x - 1, 0, z - 1), 0).r;
+            ivec3 column = clamp(cell + ivec3(x - 1, 0, z - 1), ivec3(0), ivec3(resolution - 1));
+            float depth = texelFetch(snow_depth, column, 0).r;
             if (depth < 0.0) continue;
             vec3 w = vec3(weight[x].x * weight[z].y, slope[x].x * weight[z].y, weight[x].x * slope[z].y);
             sum += w * depth;

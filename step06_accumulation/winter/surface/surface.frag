@@ -36,13 +36,14 @@ float cover_of(float depth, vec3 point)
 vec3 glint(vec3 normal, vec3 point)
 {
     vec3 to_eye = camera.eye - point;
-    float away = length(to_eye);
+    float away = max(length(to_eye), 0.001);
     // Squares of 4 mm, or twice, four times ... as wide, so that they stay larger than a pixel.
     float pixel = 2.0 * away / (camera.projection[1][1] * float(camera.window_size.y));  // m
     float square = 0.004 * exp2(max(ceil(log2(1.5 * pixel / 0.004)), 0.0));
     ivec2 place = ivec2(floor(point.xz / square));
     vec3 turn = vec3(grain(place), grain(place + 7919), grain(place - 7919)) - 0.5;
-    float mirrored = dot(normalize(normal + 1.2 * turn), normalize(light.to_sun + to_eye / away));
+    vec3 crystal = normal + 1.2 * turn, halfway = light.to_sun + to_eye / away;  // neither may be 0
+    float mirrored = dot(crystal, halfway) / max(length(crystal) * length(halfway), 0.001);
     float flash = smoothstep(0.997, 1.0, mirrored) * exp(-0.06 * away);
     return flash > 0.0 ? 4.0 * flash * light.sun * sunlight_at(point + 0.03 * normal) : vec3(0.0);
 }

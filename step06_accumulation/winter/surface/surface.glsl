@@ -3,6 +3,8 @@
 #include "step06_accumulation/winter/camera/camera.glsl"
 #include "step06_accumulation/winter/surface/smooth_depth.glsl"
 
+invariant gl_Position;  // tessellated or not, along an edge that both kinds of triangles share
+
 out vec3 base_position;   // m, of the scene without snow
 out vec3 world_position;  // m, on top of the snow
 out vec3 base_normal;     // of the scene without snow

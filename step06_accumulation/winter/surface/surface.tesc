@@ -14,7 +14,7 @@ out Corner { vec3 position, normal, colour; float lift, skirt; } control[];
 // Depth of the snow in the column at `point`, m.
 float roughly(vec3 point)
 {
-    ivec3 cell = ivec3(floor((point - grid_origin) / cell_size));
+    ivec3 cell = clamp(ivec3(floor((point - grid_origin) / cell_size)), ivec3(0), ivec3(resolution - 1));
     return max(texelFetch(snow_depth, cell, 0).r, 0.0);
 }
 
@@ -47,7 +47,9 @@ void main()
     control[gl_InvocationID].skirt = corner[gl_InvocationID].skirt;
     if (gl_InvocationID == 0) {
         // Edge i lies opposite to corner i.
-        for (int i = 0; i < 3; ++i) gl_TessLevelOuter[i] = edge_level((i + 1) % 3, (i + 2) % 3);
+        gl_TessLevelOuter[0] = edge_level(1, 2);
+        gl_TessLevelOuter[1] = edge_level(2, 0);
+        gl_TessLevelOuter[2] = edge_level(0, 1);
         gl_TessLevelInner[0] = max(gl_TessLevelOuter[0], max(gl_TessLevelOuter[1], gl_TessLevelOuter[2]));
     }
 }

@@ -10,7 +10,10 @@ in Corner { vec3 position, normal, colour; float lift, skirt; } control[];
 void main()
 {
     vec3 part = gl_TessCoord;
-    put_on_snow(part.x * control[0].position + part.y * control[1].position + part.z * control[2].position,
+    // The same on an edge, to the last bit, whichever of its two triangles asks: or there would be cracks.
+    precise vec3 position =
+        part.x * control[0].position + part.y * control[1].position + part.z * control[2].position;
+    put_on_snow(position,
                 part.x * control[0].normal + part.y * control[1].normal + part.z * control[2].normal,
                 part.x * control[0].colour + part.y * control[1].colour + part.z * control[2].colour,
                 part.x * control[0].lift + part.y * control[1].lift + part.z * control[2].lift,

@@ -25,7 +25,8 @@ void main()
     float speed = length(air) / max(length(weather.wind), 0.001);  // of the undisturbed wind
 
     vec3 along = air / max(length(air), 0.001);
-    vec3 across = normalize(cross(along, camera.eye - middle));
+    vec3 across = cross(along, camera.eye - middle);
+    across /= max(length(across), 0.001);  // an arrow that points at the eye has no width
     vec2 corner = outline[gl_VertexID];
     vec3 position = middle + 0.8 * spacing * min(speed, 1.5) * corner.x * along + 0.05 * spacing * corner.y * across;
     arrow_colour = mix(mix(vec3(0.1, 0.3, 0.9), vec3(0.9, 0.85, 0.3), smoothstep(0.0, 0.8, speed)),

@@ -188,6 +188,23 @@ def test_snow_that_lies_longer_than_a_flake_lives_is_deposited(accumulate):
     assert entries["deposited"] > 50
 
 
+def test_snow_lies_on_bare_ground_too(accumulate):
+    """Where no triangle lies on the ground the ground itself does: beside a table without a floor."""
+    bare = scenes.text(scenes.box((-4, 0, -8), (-3.8, 2, -7.8)), scenes.box((-4, 2, -8), (4, 2.2, 8)))
+    entries, cover, sums = accumulate(bare, "--particles", 3000, "--timelapse", 60, "--frames", 12,
+                                      "--voxels", 64, *HAIL, "--set", "snowfall=1",
+                                      "--set", "restitution=0")
+    check_sums(entries, cover, sums)
+    # Some come down outside of the grid, which is as wide as the table is long.
+    assert entries["melted"] < 0.05 * entries["deposited"]
+    x, y, z = cover.place.T
+    on_table, on_ground = cover.mass[y > 2].sum(), cover.mass[y < 1].sum()
+    # The cloud is as wide as the grid: half of it over the table. 0.1: at the edge snow slides down.
+    assert on_ground == pytest.approx(on_table, rel=0.1)
+    # The table shelters the ground, but for 0.75 m along its edges, where a heap beside it slides in.
+    assert cover.mass[(y < 1) & (abs(x) < 3.25) & (abs(z) < 7.25)].sum() == 0
+
+
 def test_rain_leaves_nothing(accumulate):
     entries, cover, _ = accumulate(scenes.TABLE, "--particles", 5000, "--frames", 400,
                                    "--voxels", 64, "--weather", "rain")

@@ -52,10 +52,11 @@ def draw(programs, tmp_path_factory):
     (folder / "lamp.mtl").write_text(GLASS)
 
     @functools.lru_cache(maxsize=None)
-    def draw(text, frames=1, **settings):
+    def draw(text, frames=1, timelapse=1, camera="41.2529612,15.4698602,17.5", **settings):
         (folder / "scene.obj").write_text(text)
         programs.run_well(STEP, "--size", "%dx%d" % SIZE, "--particles", 0, "--voxels", 64,
                           "--scene", folder / "scene.obj", "--frames", frames,
+                          "--timelapse", timelapse, "--camera", camera,
                           "--screenshot", folder / "picture.png",
                           *[word for name, value in settings.items()
                             for word in ("--set", f"{name}={value}")])
@@ -131,6 +132,12 @@ def test_lamp_lights_its_surroundings_at_dusk(draw):
     assert red > green > blue  # as the lamp
     assert night.brightness(0.2, 1.75, 0.2) > 200 > without.brightness(0.2, 1.75, 0.2)  # its glass
     assert (draw(LAMP, sun_height=20).pixels == draw(LAMP, sun_height=20, lamp=0).pixels).all()
+
+
+def test_an_eye_below_the_snow_sees_no_black(draw):
+    """Snow on open ground as high as the eye, and higher: no way to it, and so no direction."""
+    picture = draw(COLUMN, frames=2, timelapse=1000, camera="41,-2,17", snowfall=10)
+    assert picture.pixels.max(axis=2).min() > 0
 
 
 def test_a_low_sun_is_warm_and_the_night_dark_and_blue(draw):

@@ -1,0 +1,37 @@
+"""Every shader, as the programs put it together, in the eyes of the Khronos reference compiler."""
+
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from conftest import ROOT, STEPS
+
+KINDS = (".vert", ".frag", ".comp", ".geom", ".tesc", ".tese")
+SHADERS = sorted(str(path.relative_to(ROOT)) for step in STEPS for path in (ROOT / step).rglob("*")
+                 if path.suffix in KINDS)
+
+
+def assemble(name, seen):
+    """The source with its includes in place, each once, as common/harness/shader_source.cpp does it."""
+    seen.add(name)
+    lines = []
+    for line in (ROOT / name).read_text().splitlines():
+        include = re.match(r'\s*#include\s+"([^"]+)"', line)
+        if not include:
+            lines.append(line)
+        elif include[1] not in seen:
+            lines += assemble(include[1], seen)
+    return lines
+
+
+@pytest.mark.parametrize("shader", SHADERS)
+def test_reference_compiler_accepts_it(shader, tmp_path):
+    validator = shutil.which("glslangValidator")
+    if validator is None:
+        pytest.skip("there is no glslangValidator (glslang-tools)")
+    path = tmp_path / shader.rpartition("/")[2]
+    path.write_text("\n".join(assemble(shader, set())) + "\n")
+    result = subprocess.run([validator, path], capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stdout
