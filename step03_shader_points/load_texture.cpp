@@ -1,7 +1,7 @@
 #include "step03_shader_points/load_texture.hpp"
 
 #include <memory>
-#include <stb/stb_image.h>
+#include <stb_image.h>
 #include <stdexcept>
 
 #include "common/harness/files.hpp"

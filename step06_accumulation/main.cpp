@@ -2,7 +2,7 @@
 // the cell it lies in, in a buffer that every shader may read and write. A full cell is solid to
 // the flakes that follow, and the scene is drawn lifted and whitened by the snow upon it. New
 // calls: GL_SHADER_STORAGE_BUFFER (in cover/snow_cover.cpp), glMemoryBarrier, glDispatchCompute (in
-// cover/columns.cpp), and atomicAdd in the shader.
+// cover/columns.cpp), and atomicAdd and atomicCompSwap in the shader.
 
 #include <GL/glew.h>
 

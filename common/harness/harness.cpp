@@ -3,10 +3,10 @@
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 
-#include <backends/imgui_impl_glut.h>
 #include <cctype>
 #include <cstdio>
 #include <imgui.h>
+#include <imgui_impl_glut.h>
 #include <iostream>
 #include <stdexcept>
 #include <utility>

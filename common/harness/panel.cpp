@@ -3,11 +3,11 @@
 #include <GL/glew.h>
 
 #include <algorithm>
-#include <backends/imgui_impl_glut.h>
-#include <backends/imgui_impl_opengl2.h>
 #include <cfloat>
 #include <fstream>
 #include <imgui.h>
+#include <imgui_impl_glut.h>
+#include <imgui_impl_opengl2.h>
 #ifndef _WIN32
 #include <unistd.h>
 #endif

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 #include <iostream>
-#include <stb/stb_image_write.h>
+#include <stb_image_write.h>
 #include <string>
 
 #include "common/harness/files.hpp"

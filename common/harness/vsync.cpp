@@ -10,7 +10,8 @@
 bool set_vsync(bool wait)
 {
 #ifdef _WIN32
-    return WGLEW_EXT_swap_control && wglSwapIntervalEXT(wait ? 1 : 0);
+    if (!WGLEW_EXT_swap_control) return !wait;  // what cannot be set is off
+    return wglSwapIntervalEXT(wait ? 1 : 0);
 #else
     if (!GLXEW_EXT_swap_control) return !wait;  // what cannot be set is off
     glXSwapIntervalEXT(glXGetCurrentDisplay(), glXGetCurrentDrawable(), wait ? 1 : 0);

@@ -38,10 +38,10 @@ def test_links_lead_somewhere(folder):
         assert (ROOT / folder / link).exists(), link
 
 
-@pytest.mark.parametrize("step", STEPS)
-def test_measured_times_are_those_of_the_comparison(step):
-    rows = re.findall(r"^\| step.*", chapter(step), re.MULTILINE)
-    assert any(row.startswith(f"| {step} ") for row in rows)
+@pytest.mark.parametrize("folder", CHAPTERS)
+def test_measured_times_are_those_of_the_comparison(folder):
+    rows = re.findall(r"^\| step.*", chapter(folder), re.MULTILINE)
+    assert any(row.startswith(f"| {folder.partition('/')[0]} ") for row in rows)
     assert set(rows) <= set(COMPARISON.read_text(encoding="utf-8").splitlines())
 
 

@@ -73,7 +73,7 @@ TEST(Options, TakeOneStepAFrameWhenTheResultIsKept)
     const std::string dump = testing::TempDir() + "/snowfall_options_dump.csv";
     EXPECT_TRUE(parse({"--frames", "3"}).reproducible());
     EXPECT_TRUE(parse({"--dump", dump}).reproducible());
-    EXPECT_TRUE(parse({"--screenshot", dump}).reproducible());
+    EXPECT_TRUE(parse({"--screenshot", testing::TempDir() + "/last.png"}).reproducible());
     EXPECT_FALSE(parse({"--frames", "3", "--dump", dump, "--realtime"}).reproducible());
     EXPECT_TRUE(parse({"--dump", dump}).frames) << "a file of the last frame needs a last frame";
 }
