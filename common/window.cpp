@@ -81,11 +81,9 @@ void Window::swap_buffers()
     drawn_ = true;
     take_events();
     drawn_ = false;
-    if (gone_) {  // and with it what was drawn
-        harness_->drop_frame();
-        return;
-    }
-    harness_->finish_frame(size_, closing_ || harness_->enough());
+    if (gone_) return harness_->drop_frame();  // and with it what was drawn
+    harness_->record(size_, closing_ || harness_->enough());
+    harness_->draw_panel(size_);
     glutSwapBuffers();
     harness_->frame_shown();
 }
@@ -94,7 +92,7 @@ void Window::swap_buffers()
 void Window::on_close()
 {
     closing_ = gone_ = true;
-    if (drawn_) harness_->finish_frame(size_, true);
+    if (drawn_) harness_->record(size_, true);
 }
 
 void Window::take_events()

@@ -1,12 +1,11 @@
 #include "common/harness/driver.hpp"
 
 #include "common/gl_object.hpp"
+#include "common/harness/text.hpp"
 
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 
-#include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <cstdarg>
 #include <cstdio>
@@ -158,9 +157,7 @@ std::string renderer_name()
 
 bool renders_in_software()
 {
-    std::string renderer = renderer_name();  // "virgl (LLVMPIPE ...)", too
-    std::transform(renderer.begin(), renderer.end(), renderer.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string renderer = lower_case(renderer_name());  // "virgl (LLVMPIPE ...)", too
     for (const char* name : {"llvmpipe", "lavapipe", "softpipe", "swrast", "software", "swr",
                              "gdi generic", "basic render"}) {
         if (renderer.find(name) != std::string::npos) return true;

@@ -67,18 +67,21 @@ void Harness::begin_frame(Camera& camera)
     ++drawn_;
 }
 
-void Harness::finish_frame(glm::ivec2 size, bool last)
+void Harness::record(glm::ivec2 size, bool last)
 {
     const uint64_t number = drawn_ > command.warmup ? drawn_ - command.warmup : 0;
     attempt([&] {
         record_frame(command, number, last, std::exchange(controls.save_picture, false),
                      [size] { return read_back_buffer(size); });
     });
-    if (show_panel_) {
-        const StageTimer stage(timer.open() ? &timer : nullptr, "panel");
-        if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
-        panel_->draw(size, command, controls, timer.frames(), renderer_name());
-    }
+}
+
+void Harness::draw_panel(glm::ivec2 size)
+{
+    if (!show_panel_) return;
+    const StageTimer stage(timer.open() ? &timer : nullptr, "panel");
+    if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
+    panel_->draw(size, command, controls, timer.frames(), renderer_name());
 }
 
 void Harness::frame_shown()

@@ -24,10 +24,11 @@ public:
     // Have the frames asked for been drawn?
     bool enough() const;
 
-    // The four moments of a frame: it begins; it is drawn, and about to be shown; it was shown; or
-    // it was never shown, because its window has gone.
+    // The moments of a frame: it begins; it is drawn, and can be saved; the panel is drawn over it;
+    // it was shown; or it was never shown, because its window has gone.
     void begin_frame(Camera& camera);
-    void finish_frame(glm::ivec2 size, bool last);
+    void record(glm::ivec2 size, bool last);
+    void draw_panel(glm::ivec2 size);
     void frame_shown();
     void drop_frame() { timer.drop_frame(); }
 

@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
 
 #include "common/harness/files.hpp"
+#include "common/harness/text.hpp"
 
 namespace {
 
@@ -79,8 +79,7 @@ std::string not_empty(const std::string& text)
 // Every file can be written once, and a picture is a PNG.
 void check_outputs(const CommandLine& command)
 {
-    std::string extension = command.screenshot.extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = lower_case(command.screenshot.extension().string());
     if (!extension.empty() && extension != ".png") {
         throw CLI::ValidationError("--screenshot", "writes PNG files, not " + extension);
     }

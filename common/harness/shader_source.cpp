@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "common/harness/files.hpp"
+#include "common/harness/text.hpp"
 
 namespace {
 
@@ -28,11 +29,9 @@ bool read_number(const std::string& text, size_t& place, size_t& number)
     return true;
 }
 
-bool speaks_of_an_error(std::string line)
+bool speaks_of_an_error(const std::string& line)
 {
-    std::transform(line.begin(), line.end(), line.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
-    return line.find("error") != std::string::npos;
+    return lower_case(line).find("error") != std::string::npos;
 }
 
 }  // namespace

@@ -23,8 +23,11 @@ bool has_queries()
 // The bits that a timestamp has on this card: some count with 36, and begin anew after a minute.
 GLuint64 timestamp_mask()
 {
-    GLint bits = 0;
-    glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+    static const GLint bits = [] {
+        GLint count = 0;
+        glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &count);
+        return count;
+    }();
     return bits > 0 && bits < 64 ? (GLuint64(1) << bits) - 1 : ~GLuint64(0);
 }
 

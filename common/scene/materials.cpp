@@ -13,7 +13,7 @@ using glm::dvec3;
 using glm::vec3;
 
 // The file `name` in `folder`, or one whose name differs from it in capitals only.
-std::optional<fs::path> find_file(fs::path folder, std::string name)
+std::optional<fs::path> find_similar(fs::path folder, std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');
     std::error_code error;
@@ -64,7 +64,7 @@ std::optional<dvec3> to_colour(std::string_view text)
 void Materials::read(const Statement& mtllib)
 {
     const auto read_if_found = [&](std::string_view name) {
-        const std::optional<fs::path> path = find_file(scene_.parent_path(), std::string(name));
+        const std::optional<fs::path> path = find_similar(scene_.parent_path(), std::string(name));
         if (path && files_.insert(*path).second) {
             try {
                 read_file(*path);

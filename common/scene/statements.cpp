@@ -110,15 +110,6 @@ std::optional<double> to_number(std::string_view word)
     return value;
 }
 
-std::string lower_case(std::string_view text)
-{
-    std::string result(text);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    }
-    return result;
-}
-
 std::string quoted(std::string_view text)
 {
     constexpr size_t longest = 60;

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "common/harness/text.hpp"
+
 struct Statement {
     int line;               // where it begins, counted from 1
     std::string_view text;  // all of it; perhaps with a comment behind it
@@ -43,9 +45,6 @@ std::string_view take_word(std::string_view& text);
 
 // The number that `word` is, if it is one that a double can hold.
 std::optional<double> to_number(std::string_view word);
-
-// With the letters A to Z made small.
-std::string lower_case(std::string_view text);
 
 // In quotation marks, as it can be shown on one line.
 std::string quoted(std::string_view text);

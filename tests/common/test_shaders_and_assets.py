@@ -69,6 +69,14 @@ def test_missing_shader_is_named_with_the_path_tried(run, copy, shader, step, va
     assert fails_with_one_line(run(step, variant), 1, copy / shader, "SNOWFALL_DIR")
 
 
+def test_missing_include_is_named_with_the_line_that_includes_it(run, copy):
+    (copy / "step03_shader_points/sprite.glsl").unlink()
+    lines = (copy / "step03_shader_points/flake.vert").read_text().splitlines()
+    line = lines.index('#include "step03_shader_points/sprite.glsl"') + 1
+    assert fails_with_one_line(run("step03_shader_points", "disc"), 1,
+                               f"step03_shader_points/flake.vert:{line}: ", "sprite.glsl")
+
+
 def test_empty_shader(run, copy):
     (copy / SHADERS[1][0]).write_text("")
     assert fails_with_one_line(run("step03_shader_points", "disc"), 1, SHADERS[1][0])
