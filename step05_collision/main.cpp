@@ -1,7 +1,8 @@
 // Step 5: same as step 4, but there is a scene, and the snow lands on it. At the start the CPU
 // divides space into voxels and marks those that the scene fills, one bit each; every frame each
 // flake looks up the few voxels on its way. The cost is per flake, not per triangle. New calls:
-// glTexImage3D, texelFetch and atomicCounterIncrement in the shader, glEnable(GL_DEPTH_TEST).
+// glTexImage3D, texelFetch and atomicCounterIncrement in the shader, glEnable(GL_DEPTH_TEST), and
+// glDrawElements (in scene_mesh.cpp).
 
 #include <GL/glew.h>
 

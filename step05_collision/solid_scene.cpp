@@ -3,7 +3,7 @@
 #include "common/window.hpp"
 
 SolidScene::SolidScene(const Window& window)
-    : scene(load_scene(window.options().scene, window.options().up)), mesh(scene.vertices),
+    : scene(load_scene(window.options().scene, window.options().up)), mesh(scene),
       grid(voxelise(scene, window.options().voxels)), voxels(upload_voxels(grid))
 {}
 

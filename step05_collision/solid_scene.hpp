@@ -3,6 +3,7 @@
 
 #include "common/program.hpp"
 #include "common/scene/scene.hpp"
+#include "step05_collision/scene_mesh.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
 class Window;

@@ -5,7 +5,7 @@
 #include <vector>
 
 TriangleTexture::TriangleTexture(const Scene& scene)
-    : count_(int(scene.vertices.size() / 3)), buffer_(make_buffer()), texture_(make_texture())
+    : count_(int(scene.indices.size() / 3)), buffer_(make_buffer()), texture_(make_texture())
 {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
@@ -15,7 +15,8 @@ TriangleTexture::TriangleTexture(const Scene& scene)
                                  std::to_string(count_));
     }
     std::vector<glm::vec4> corners;
-    for (const Vertex& vertex : scene.vertices) corners.emplace_back(vertex.position, 1);
+    for (size_t i = 0; i < scene.indices.size(); ++i)
+        corners.emplace_back(scene.corner(i).position, 1);
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
     glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(),
                  GL_STATIC_DRAW);

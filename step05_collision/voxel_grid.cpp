@@ -17,9 +17,9 @@ using glm::vec3;
 
 class Octree {
 public:
-    Octree(const Scene& scene, VoxelGrid& grid) : vertices_(scene.vertices), grid_(grid)
+    Octree(const Scene& scene, VoxelGrid& grid) : scene_(scene), grid_(grid)
     {
-        std::vector<uint32_t> all(vertices_.size() / 3);
+        std::vector<uint32_t> all(scene.indices.size() / 3);
         std::iota(all.begin(), all.end(), 0);
         divide(ivec3(0), grid.resolution, all);
     }
@@ -47,11 +47,11 @@ private:
             const vec3 centre = grid_.origin + grid_.cell_size * vec3(child_corner) + half_size;
             inside.clear();
             for (const uint32_t triangle : triangles) {
-                const Vertex* corners = &vertices_[3 * size_t(triangle)];
-                if (!triangle_touches_box(corners[0].position, corners[1].position,
-                                          corners[2].position, centre, margin * half_size)) {
+                const size_t first = 3 * size_t(triangle);
+                if (!triangle_touches_box(
+                        scene_.corner(first).position, scene_.corner(first + 1).position,
+                        scene_.corner(first + 2).position, centre, margin * half_size))
                     continue;
-                }
                 inside.push_back(triangle);
                 if (half == 1) break;  // one is enough for a voxel
             }
@@ -73,7 +73,7 @@ private:
         progress_.report(done);
     }
 
-    const std::vector<Vertex>& vertices_;
+    const Scene& scene_;
     VoxelGrid& grid_;
     Progress progress_{"voxelising"};
 };

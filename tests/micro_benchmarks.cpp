@@ -94,7 +94,7 @@ void voxelise_courtyard(benchmark::State& state)
     const Silence silence;
     const Scene scene = load_scene(find_file("common/assets/courtyard.obj"), 'y');
     for (auto _ : state) benchmark::DoNotOptimize(voxelise(scene, int(state.range(0))));
-    const size_t triangles = scene.vertices.size() / 3;
+    const size_t triangles = scene.indices.size() / 3;
     state.counters["triangles"] = benchmark::Counter(double(triangles) * double(state.iterations()),
                                                      benchmark::Counter::kIsRate);
 }

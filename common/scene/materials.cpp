@@ -1,7 +1,6 @@
 #include "common/scene/materials.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 
@@ -69,7 +68,7 @@ void Materials::read(const Statement& mtllib)
             try {
                 read_file(*path);
             } catch (const std::runtime_error& error) {
-                warn(scene_, mtllib, error.what());
+                warnings.add(scene_, mtllib, error.what());
             }
         }
         return path.has_value();
@@ -80,7 +79,7 @@ void Materials::read(const Statement& mtllib)
     bool found = false;
     for (auto name = take_word(names); !name.empty() && name[0] != '#'; name = take_word(names))
         found |= read_if_found(name);
-    if (!found) warn(scene_, mtllib, "no such file, its materials are grey");
+    if (!found) warnings.add(scene_, mtllib, "no such file, its materials are grey");
 }
 
 void Materials::read_file(const fs::path& path)
@@ -92,10 +91,11 @@ void Materials::read_file(const fs::path& path)
     while (const std::optional<Statement> statement = statements.next()) {
         const auto set = [&](vec3& colour, double most) {
             const std::optional<dvec3> given = to_colour(statement->rest);
-            if (!given) return warn(path, *statement, "not a colour, ignored");
+            if (!given) return warnings.add(path, *statement, "not a colour, ignored");
             const dvec3 inside = glm::clamp(*given, 0.0, most);
             if (*given != inside) {
-                warn(path, *statement, "outside 0 to " + std::to_string(int(most)) + ", clamped");
+                warnings.add(path, *statement,
+                             "outside 0 to " + std::to_string(int(most)) + ", clamped");
             }
             colour = inside;
         };
@@ -112,7 +112,8 @@ void Materials::read_file(const fs::path& path)
             const double brightest = 1000;  // 1 is white paper in a bright room
             set(material->light, brightest);
         } else if (statement->keyword == "map_kd") {
-            warn(path, *statement, "pictures are not supported, one colour takes their place");
+            warnings.add(path, *statement,
+                         "pictures are not supported, one colour takes their place");
             has_picture = true;
         }
         // Many write black where the picture has the colour.
@@ -126,27 +127,6 @@ size_t Materials::find(const Statement& usemtl)
         return found->second;
     const auto found = by_similar_name_.find(similar(usemtl.rest));
     if (found != by_similar_name_.end()) return found->second;
-    warn(scene_, usemtl, "no such material, grey instead");
+    warnings.add(scene_, usemtl, "no such material, grey instead");
     return 0;
-}
-
-void Materials::warn(const fs::path& file, const Statement& about, const std::string& loss)
-{
-    for (Warning& warning : warnings_) {
-        if (warning.loss != loss) continue;
-        ++warning.count;
-        return;
-    }
-    const std::string first =
-        file.string() + ": line " + std::to_string(about.line) + ": " + quoted(about.text);
-    warnings_.push_back({loss, first, 1});
-}
-
-void Materials::print_warnings() const
-{
-    for (const auto& [loss, first, count] : warnings_) {
-        std::cerr << "warning: " << first << ": " << loss;
-        if (count > 1) std::cerr << " (and " << count - 1 << " more)";
-        std::cerr << std::endl;
-    }
 }

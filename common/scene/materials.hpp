@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/scene/statements.hpp"
+#include "common/scene/warnings.hpp"
 
 struct Material {
     glm::vec3 colour{0.5f};  // diffuse (Kd), linear, 0 to 1; grey where there is none
@@ -17,7 +18,7 @@ struct Material {
 };
 
 // Without its materials a scene is grey, but no worse. So nothing is refused here: what gets lost
-// is told on stderr, each kind of loss in one line.
+// is told.
 class Materials {
 public:
     explicit Materials(const std::filesystem::path& scene) : scene_(scene) {}
@@ -31,20 +32,13 @@ public:
 
     const Material& operator[](size_t number) const { return materials_[number]; }
 
-    void print_warnings() const;
+    Warnings warnings;  // those of the scene itself, too
 
 private:
     void read_file(const std::filesystem::path& path);
-    void warn(const std::filesystem::path& file, const Statement& about, const std::string& loss);
-
-    struct Warning {
-        std::string loss, first;  // what was lost, and where for the first time
-        int count;
-    };
 
     std::filesystem::path scene_;
     std::vector<Material> materials_{Material{}};
     std::map<std::string, size_t, std::less<>> by_name_, by_similar_name_;
     std::set<std::filesystem::path> files_;  // those that were read
-    std::vector<Warning> warnings_;
 };

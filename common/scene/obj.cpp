@@ -1,5 +1,6 @@
 #include "common/scene/obj.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -10,20 +11,29 @@ namespace {
 
 class Reader {
 public:
-    explicit Reader(const fs::path& path) : path_(path), obj_{{}, {}, {}, Materials(path)} {}
+    explicit Reader(const fs::path& path) : path_(path), obj_{{}, {}, {}, {}, {}, Materials(path)}
+    {}
 
     Obj read() &&
     {
         Statements statements(path_);
-        size_t material = 0;
+        Polygon polygon;  // what the next one will have but its corners
         while (const std::optional<Statement> statement = statements.next()) {
             line_ = statement->line;
             if (statement->keyword == "v") {
                 read_point(without_comment(statement->rest));
             } else if (statement->keyword == "f") {
-                read_polygon(without_comment(statement->rest), material);
+                read_polygon(without_comment(statement->rest), polygon);
+            } else if (statement->keyword == "vt") {
+                const glm::dvec3 uv = read_numbers(*statement, 1);
+                obj_.uvs.emplace_back(glm::clamp(uv, -1e6, 1e6));  // or a float has no fraction
+            } else if (statement->keyword == "vn") {
+                const glm::dvec3 normal = read_numbers(*statement, 3);
+                obj_.normals.emplace_back(glm::clamp(normal, -1e6, 1e6));
+            } else if (statement->keyword == "s") {
+                polygon.smoothing = to_group(without_comment(statement->rest));
             } else if (statement->keyword == "usemtl") {
-                material = obj_.materials.find(*statement);
+                polygon.material = obj_.materials.find(*statement);
             } else if (statement->keyword == "mtllib") {
                 obj_.materials.read(*statement);
             }
@@ -57,9 +67,33 @@ private:
         obj_.colours.push_back(colour);
     }
 
-    void read_polygon(std::string_view words, size_t material)
+    // Up to three, of which `least` must be there: without them the scene still has its shape.
+    glm::dvec3 read_numbers(const Statement& statement, int least)
     {
-        Polygon polygon{{}, material};
+        std::string_view words = without_comment(statement.rest);
+        glm::dvec3 numbers(0);
+        int count = 0;
+        for (; count < 3 && !words.empty(); ++count) {
+            const std::optional<double> number = to_number(take_word(words));
+            if (!number) break;
+            numbers[count] = *number;
+        }
+        if (count >= least) return numbers;
+        obj_.materials.warnings.add(path_, statement, "not as many numbers as it needs, 0 instead");
+        return glm::dvec3(0);
+    }
+
+    // A number; 0 is "off".
+    static uint32_t to_group(std::string_view words)
+    {
+        const std::string_view word = take_word(words);
+        uint32_t group = 0;
+        std::from_chars(word.data(), word.data() + word.size(), group);
+        return lower_case(word) == "on" ? 1 : group;
+    }
+
+    void read_polygon(std::string_view words, Polygon polygon)
+    {
         while (!words.empty()) polygon.corners.push_back(to_corner(take_word(words)));
         const size_t count = polygon.corners.size();
         if (count < 3) refuse(std::to_string(count) + " corners, at least 3 are needed");
@@ -72,32 +106,46 @@ private:
         lines_.push_back(line_);
     }
 
-    // A point, counted from 1, or backwards from the last; texture coordinates and normals may
-    // follow behind slashes.
-    uint32_t to_corner(std::string_view word) const
+    // A point, counted from 1, or backwards from the last; texture coordinates and a normal,
+    // counted alike, may follow behind slashes.
+    Corner to_corner(std::string_view word) const
     {
         int64_t point = 0;
         const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), point);
-        const std::string_view rest = word.substr(size_t(stop - word.data()));
+        std::string_view rest = word.substr(size_t(stop - word.data()));
         if (error == std::errc::invalid_argument || (!rest.empty() && rest[0] != '/') ||
             rest.find_first_not_of("/-0123456789") != rest.npos) {
             refuse(quoted(word) + " is no corner");
         }
         if (point < 0) point += int64_t(obj_.points.size()) + 1;
-        if (error != std::errc() || point < 1 || point > UINT32_MAX)
+        if (error != std::errc() || point < 1 || point >= Corner::none)
             refuse(quoted(word) + " is not one of the vertices, which are counted from 1");
-        return uint32_t(point - 1);
+        const auto behind_slash = [&](size_t count) {
+            rest.remove_prefix(std::min<size_t>(rest.size(), 1));
+            int64_t number = 0;
+            std::from_chars(rest.data(), rest.data() + rest.size(), number);
+            rest.remove_prefix(std::min(rest.find('/'), rest.size()));
+            if (number < 0) number += int64_t(count) + 1;
+            return number < 1 || number >= Corner::none ? Corner::none : uint32_t(number - 1);
+        };
+        Corner corner{uint32_t(point - 1)};
+        corner.uv = behind_slash(obj_.uvs.size());
+        corner.normal = behind_slash(obj_.normals.size());
+        return corner;
     }
 
-    // Points may come behind the polygons that they are corners of.
+    // Points may come behind the polygons that they are corners of. Without texture coordinates or
+    // a normal there is still a corner.
     void check_corners()
     {
         const size_t count = obj_.points.size();
         for (size_t i = 0; i < lines_.size(); ++i) {
             line_ = lines_[i];
-            for (const uint32_t corner : obj_.polygons[i].corners) {
-                if (corner < count) continue;
-                refuse("there is no vertex " + std::to_string(corner + 1) + ", the last is " +
+            for (Corner& corner : obj_.polygons[i].corners) {
+                if (corner.uv >= obj_.uvs.size()) corner.uv = Corner::none;
+                if (corner.normal >= obj_.normals.size()) corner.normal = Corner::none;
+                if (corner.point < count) continue;
+                refuse("there is no vertex " + std::to_string(corner.point + 1) + ", the last is " +
                        std::to_string(count));
             }
         }

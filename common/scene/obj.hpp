@@ -10,14 +10,23 @@
 
 #include "common/scene/materials.hpp"
 
+struct Corner {
+    static constexpr uint32_t none = UINT32_MAX;
+    uint32_t point;                     // which, counted from 0
+    uint32_t uv = none, normal = none;  // the same, where the file has them
+};
+
 struct Polygon {
-    std::vector<uint32_t> corners;  // at least three: which points, counted from 0
-    size_t material;                // its number
+    std::vector<Corner> corners;  // at least three
+    size_t material = 0;          // its number
+    uint32_t smoothing = 0;       // smooth where it meets others of this group; 0: flat
 };
 
 struct Obj {
     std::vector<glm::dvec3> points;  // as in the file
     std::vector<glm::vec3> colours;  // of each point: what has no material is drawn in them
+    std::vector<glm::vec2> uvs;      // texture coordinates
+    std::vector<glm::vec3> normals;  // of any length
     std::vector<Polygon> polygons;
     Materials materials;
 };

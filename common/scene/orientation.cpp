@@ -79,9 +79,9 @@ Surfaces find_surfaces(const std::vector<Polygon>& polygons, const std::vector<u
     };
     std::vector<Edge> edges;
     for (size_t i = 0; i < polygons.size(); ++i) {
-        uint32_t from = welded[polygons[i].corners.back()];
-        for (const uint32_t corner : polygons[i].corners) {
-            const uint32_t to = welded[corner];
+        uint32_t from = welded[polygons[i].corners.back().point];
+        for (const Corner& corner : polygons[i].corners) {
+            const uint32_t to = welded[corner.point];
             if (from != to)
                 edges.push_back({{std::min(from, to), std::max(from, to)}, uint32_t(i), from < to});
             from = to;
@@ -112,7 +112,7 @@ void remove_copies(std::vector<Polygon>& polygons, const std::vector<uint32_t>& 
     std::set<std::vector<uint32_t>> seen;
     std::erase_if(polygons, [&](const Polygon& polygon) {
         std::vector<uint32_t> ring;
-        for (const uint32_t corner : polygon.corners) ring.push_back(welded[corner]);
+        for (const Corner& corner : polygon.corners) ring.push_back(welded[corner.point]);
         std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
         if (ring[1] > ring.back()) std::reverse(ring.begin() + 1, ring.end());
         return !seen.insert(std::move(ring)).second;
@@ -156,11 +156,9 @@ void orient(std::vector<Polygon>& polygons, const std::vector<vec3>& points)
     std::vector<Measures> measures(polygons.size());  // of each surface, at what stands for it
     for (size_t i = 0; i < polygons.size(); ++i) {
         const auto [surface, differs] = surfaces.find(i);
-        const std::vector<uint32_t>& corners = polygons[i].corners;
-        for (size_t k = 1; k + 1 < corners.size(); ++k) {
-            measures[surface].add(points[corners[0]], points[corners[k]], points[corners[k + 1]],
-                                  differs ? -1 : 1);
-        }
+        const auto corner = [&](size_t k) { return points[polygons[i].corners[k].point]; };
+        for (size_t k = 1; k + 1 < polygons[i].corners.size(); ++k)
+            measures[surface].add(corner(0), corner(k), corner(k + 1), differs ? -1 : 1);
     }
     for (size_t i = 0; i < polygons.size(); ++i) {
         const auto [surface, differs] = surfaces.find(i);

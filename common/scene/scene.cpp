@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstring>
 #include <iostream>
 #include <sstream>
+#include <string_view>
+#include <unordered_map>
 
+#include "common/scene/normals.hpp"
 #include "common/scene/obj.hpp"
 #include "common/scene/orientation.hpp"
 #include "common/scene/polygon.hpp"
@@ -14,6 +17,11 @@ namespace {
 
 using glm::dvec3;
 using glm::vec3;
+
+dvec3 turn(dvec3 p, char up)
+{
+    return up == 'z' ? dvec3(p.x, p.z, -p.y) : p;
+}
 
 // Where the points lie in the world, and by what the scene was scaled for that.
 struct Fitted {
@@ -25,12 +33,11 @@ struct Fitted {
 // differ little: those of maps count from the equator.
 Fitted fit(const std::filesystem::path& path, const Obj& obj, char up)
 {
-    const auto turn = [&](dvec3 p) { return up == 'z' ? dvec3(p.x, p.z, -p.y) : p; };
     dvec3 least(INFINITY), most(-INFINITY);
     for (const Polygon& polygon : obj.polygons) {
-        for (const uint32_t corner : polygon.corners) {
-            least = glm::min(least, turn(obj.points[corner]));
-            most = glm::max(most, turn(obj.points[corner]));
+        for (const Corner& corner : polygon.corners) {
+            least = glm::min(least, turn(obj.points[corner.point], up));
+            most = glm::max(most, turn(obj.points[corner.point], up));
         }
     }
     const dvec3 room(16, 6, 16), size = most - least;  // m
@@ -47,21 +54,82 @@ Fitted fit(const std::filesystem::path& path, const Obj& obj, char up)
     }
     const dvec3 foot(0.5 * (least.x + most.x), least.y, 0.5 * (least.z + most.z));
     Fitted fitted{{}, factor};
-    for (const dvec3& point : obj.points) fitted.points.emplace_back(factor * (turn(point) - foot));
+    for (const dvec3& point : obj.points)
+        fitted.points.emplace_back(factor * (turn(point, up) - foot));
     return fitted;
 }
 
-void compute_normals(std::vector<Vertex>& vertices)
-{
-    for (size_t i = 0; i < vertices.size(); i += 3) {
-        const vec3 a = vertices[i].position, b = vertices[i + 1].position,
-                   c = vertices[i + 2].position;
-        const vec3 across = glm::cross(b - a, c - a);
-        const float length = glm::length(across);
-        const vec3 normal = length > 0 ? across / length : vec3(0, 1, 0);
-        for (size_t corner = i; corner < i + 3; ++corner) vertices[corner].normal = normal;
+// Vertices that are the same in every bit are one.
+struct Equal {
+    bool operator()(const Vertex& a, const Vertex& b) const
+    {
+        return std::memcmp(&a, &b, sizeof(Vertex)) == 0;
     }
-}
+};
+struct Hash {
+    size_t operator()(const Vertex& vertex) const
+    {
+        return std::hash<std::string_view>()(
+            {reinterpret_cast<const char*>(&vertex), sizeof(Vertex)});
+    }
+};
+
+// Puts triangles of polygons together, whose materials come one after the other.
+class Builder {
+public:
+    explicit Builder(const Obj& obj, const std::vector<vec3>& points) : obj_(obj), points_(points)
+    {
+        for (const Polygon& polygon : obj.polygons) add(polygon);
+    }
+
+    Scene scene;
+
+private:
+    void add(const Polygon& polygon)
+    {
+        if (scene.submeshes.empty() || polygon.material != material_) {
+            material_ = polygon.material;
+            scene.submeshes.push_back({obj_.materials[material_], scene.indices.size(), 0});
+        }
+        std::vector<dvec3> corners;
+        for (const Corner& corner : polygon.corners) corners.push_back(points_[corner.point]);
+        const std::vector<size_t> triangles = cut_into_triangles(corners);
+        for (size_t i = 0; i < triangles.size(); i += 3) {
+            const dvec3 a = corners[triangles[i]], b = corners[triangles[i + 1]],
+                        c = corners[triangles[i + 2]];
+            const vec3 flat = to_length_1(glm::cross(b - a, c - a), vec3(0, 1, 0));
+            for (size_t k = i; k < i + 3; ++k) add(polygon.corners[triangles[k]], flat);
+        }
+        scene.submeshes.back().count = scene.indices.size() - scene.submeshes.back().first;
+    }
+
+    void add(const Corner& corner, vec3 flat)
+    {
+        Vertex vertex{};
+        vertex.position = points_[corner.point];
+        vertex.normal = flat;
+        if (corner.normal != Corner::none)
+            vertex.normal = to_length_1(obj_.normals[corner.normal], flat);
+        vertex.colour =
+            material_ == 0 ? obj_.colours[corner.point] : obj_.materials[material_].colour;
+        if (corner.uv != Corner::none) vertex.uv = obj_.uvs[corner.uv];
+        const auto [place, is_new] = numbers_.emplace(vertex, uint32_t(scene.vertices.size()));
+        if (is_new) scene.vertices.push_back(vertex);
+        scene.indices.push_back(place->second);
+    }
+
+    // What has no length points as `otherwise`. Zero is added because -0 has other bits.
+    static vec3 to_length_1(dvec3 direction, vec3 otherwise)
+    {
+        const double length = glm::length(direction);
+        return length > 0 ? vec3(direction / length) + 0.0f : otherwise;
+    }
+
+    const Obj& obj_;
+    const std::vector<vec3>& points_;
+    size_t material_ = 0;  // of the last submesh
+    std::unordered_map<Vertex, uint32_t, Hash, Equal> numbers_;
+};
 
 }  // namespace
 
@@ -71,52 +139,16 @@ Scene load_scene(const std::filesystem::path& path, char up)
     Obj obj = read_obj(path);
     if (obj.polygons.empty()) refuse_scene(path, "it has no faces (is it a Wavefront OBJ file?)");
     const auto [points, factor] = fit(path, obj, up);
-    obj.materials.print_warnings();
+    obj.materials.warnings.print();
     orient(obj.polygons, points);
+    for (vec3& normal : obj.normals) normal = turn(normal, up);
+    complete_normals(obj.polygons, obj.normals, points);
+    std::stable_sort(obj.polygons.begin(), obj.polygons.end(),
+                     [](const Polygon& a, const Polygon& b) { return a.material < b.material; });
 
-    Scene scene;
-    std::vector<vec3> light;  // of each vertex
-    for (const Polygon& polygon : obj.polygons) {
-        const Material& material = obj.materials[polygon.material];
-        std::vector<dvec3> corners;
-        for (const uint32_t corner : polygon.corners) corners.push_back(points[corner]);
-        for (const size_t i : cut_into_triangles(corners)) {
-            const vec3 colour =
-                polygon.material == 0 ? obj.colours[polygon.corners[i]] : material.colour;
-            scene.vertices.push_back({corners[i], {}, colour});
-            light.push_back(material.light);
-        }
-    }
-    compute_normals(scene.vertices);
-    for (size_t i = 0; i < light.size(); ++i) {
-        if (light[i] == vec3(0)) continue;
-        scene.lamps.push_back(scene.vertices[i]);
-        scene.lamps.back().colour = light[i];
-    }
-    std::cout << "scene " << path.filename().string() << ": " << scene.vertices.size() / 3
-              << " triangles, scaled by " << factor << std::endl;
+    Scene scene = Builder(obj, points).scene;
+    std::cout << "scene " << path.filename().string() << ": " << scene.indices.size() / 3
+              << " triangles, scaled by " << factor << "; their " << scene.indices.size()
+              << " corners share " << scene.vertices.size() << " vertices" << std::endl;
     return scene;
-}
-
-SceneMesh::SceneMesh(const std::vector<Vertex>& vertices)
-    : buffer_(make_buffer()), vao_(make_vertex_array()), count_(GLsizei(vertices.size()))
-{
-    glBindVertexArray(vao_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(),
-                 GL_STATIC_DRAW);
-    const auto field = [](GLuint location, GLint floats, size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(offset));
-    };
-    field(0, 3, offsetof(Vertex, position));
-    field(1, 3, offsetof(Vertex, normal));
-    field(2, 3, offsetof(Vertex, colour));
-}
-
-void SceneMesh::draw() const
-{
-    glBindVertexArray(vao_);
-    glDrawArrays(GL_TRIANGLES, 0, count_);
 }

@@ -7,7 +7,7 @@ Winter::Computed::Computed(Window& window)
 Winter::Winter(Window& window, const SolidScene& solid, const Columns& columns)
     : solid_(solid), columns_(columns), computed_(window.shared<Computed>()),
       live_(window.options().weather.particles), daylight_(solid),
-      surface_(solid.scene, solid.grid.cell_size), lamp_(solid.scene)
+      surface_(solid.scene, solid.grid.cell_size)
 {}
 
 std::vector<snow::Parameter> Winter::parameters()
@@ -64,7 +64,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
     }
     if (Daylight::lamp != 0) {
         const auto stage = window.stage("lamp");
-        lamp_.draw(daylight_.light());
+        lamp_.draw(daylight_.light(), solid_);
     }
     if (WindField::arrows != 0) {
         const auto stage = window.stage("arrows");

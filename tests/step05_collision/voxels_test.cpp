@@ -53,6 +53,7 @@ void add_triangle(Scene& scene, vec3 a, vec3 b, vec3 c)
     for (const vec3 corner : {a, b, c}) {
         Vertex vertex{};
         vertex.position = corner;
+        scene.indices.push_back(uint32_t(scene.vertices.size()));
         scene.vertices.push_back(vertex);
     }
 }
@@ -97,9 +98,9 @@ std::vector<bool> brute_force(const Scene& scene, const VoxelGrid& grid, float h
 {
     const int n = grid.resolution;
     std::vector<bool> filled(size_t(n) * size_t(n) * size_t(n));
-    for (size_t i = 0; i < scene.vertices.size(); i += 3) {
-        const vec3 a = scene.vertices[i].position, b = scene.vertices[i + 1].position,
-                   c = scene.vertices[i + 2].position;
+    for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        const vec3 a = scene.corner(i).position, b = scene.corner(i + 1).position,
+                   c = scene.corner(i + 2).position;
         const vec3 least = (min(a, min(b, c)) - grid.origin) / grid.cell_size;
         const vec3 most = (max(a, max(b, c)) - grid.origin) / grid.cell_size;
         const ivec3 first = max(ivec3(floor(least)) - 1, 0),

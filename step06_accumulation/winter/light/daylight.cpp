@@ -79,11 +79,16 @@ Daylight::Daylight(const SolidScene& solid)
     light_.grid_size = solid.grid.cell_size * float(solid.grid.resolution);
     // All that shines, as one lamp in its middle.
     light_.lamp_radius = 0.1f;
-    const float share = 1.0f / float(std::max<size_t>(solid.scene.lamps.size(), 1));
-    for (const Vertex& vertex : solid.scene.lamps) {
-        light_.lamp_position += share * vertex.position;
-        lamp_light_ += share * 6.0f * vertex.colour;
+    float corners = 0;
+    for (const Submesh& submesh : solid.scene.submeshes) {
+        if (submesh.material.light == vec3(0)) continue;
+        for (size_t i = submesh.first; i < submesh.first + submesh.count; ++i)
+            light_.lamp_position += solid.scene.corner(i).position;
+        lamp_light_ += float(submesh.count) * 6.0f * submesh.material.light;
+        corners += float(submesh.count);
     }
+    light_.lamp_position /= std::max(corners, 1.0f);
+    lamp_light_ /= std::max(corners, 1.0f);
 }
 
 std::vector<snow::Parameter> Daylight::parameters()

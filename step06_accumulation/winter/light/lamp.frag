@@ -3,8 +3,9 @@
 
 #include "step06_accumulation/winter/light/light.glsl"
 
+uniform vec3 own_light;
+
 in vec3 world_position;
-in vec3 own_light;
 
 out vec4 colour;
 

@@ -2,17 +2,16 @@
 #pragma once
 
 #include "common/program.hpp"
-#include "common/scene/scene.hpp"
+#include "step05_collision/solid_scene.hpp"
 #include "step06_accumulation/winter/light/daylight.hpp"
 
 class Lamp {
 public:
-    explicit Lamp(const Scene& scene);
+    Lamp();
 
     // Draws it, if it is on, over the same surfaces as they were drawn with the scene.
-    void draw(const snow::Light& light);
+    void draw(const snow::Light& light, const SolidScene& solid);
 
 private:
-    SceneMesh glass_;
     Program program_;
 };

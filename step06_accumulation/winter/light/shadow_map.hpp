@@ -7,7 +7,7 @@
 
 #include "common/gl_object.hpp"
 #include "common/program.hpp"
-#include "common/scene/scene.hpp"
+#include "step05_collision/scene_mesh.hpp"
 #include "step06_accumulation/winter/light/daylight.hpp"
 
 class ShadowMap {

@@ -29,8 +29,8 @@ SurfaceMesh make_snow_surface(const Scene& scene, float fine_enough)
     std::map<std::pair<Point, Point>, std::pair<Vertex, Vertex>> border;
 
     std::vector<std::array<Vertex, 3>> left;
-    for (size_t i = 0; i < scene.vertices.size(); i += 3) {
-        left.push_back({scene.vertices[i], scene.vertices[i + 1], scene.vertices[i + 2]});
+    for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        left.push_back({scene.corner(i), scene.corner(i + 1), scene.corner(i + 2)});
         while (!left.empty()) {
             const std::array<Vertex, 3> triangle = left.back();
             left.pop_back();
@@ -45,13 +45,15 @@ SurfaceMesh make_snow_surface(const Scene& scene, float fine_enough)
             const Vertex a = triangle[split], b = triangle[(split + 1) % 3],
                          c = triangle[(split + 2) % 3];
             if (length(split) > longest) {
-                Vertex middle = a;
-                middle.position = 0.5f * (a.position + b.position);
+                const Vertex middle{0.5f * (a.position + b.position),
+                                    glm::normalize(a.normal + b.normal),
+                                    0.5f * (a.colour + b.colour), 0.5f * (a.uv + b.uv)};
                 left.push_back({a, middle, c});
                 left.push_back({middle, b, c});
                 continue;
             }
-            const float lift = a.normal.y > least_upward ? 1.0f : 0.0f;
+            const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
+            const float lift = across.y > least_upward * glm::length(across) ? 1.0f : 0.0f;
             add({a, lift, 0}, {b, lift, 0}, {c, lift, 0});
             if (lift == 0) continue;
             for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {

@@ -20,7 +20,7 @@ protected:
     // The colour of a square that these statements give a material to.
     vec3 colour(const std::string& mtllib, const std::string& usemtl = "usemtl brick\n")
     {
-        return load(mtllib + square + usemtl + "f 1 2 3 4\n").vertices[0].colour;
+        return load(mtllib + square + usemtl + "f 1 2 3 4\n").corner(0).colour;
     }
 
     // Of the material "brick" with these statements in the MTL file.
@@ -38,8 +38,8 @@ TEST_F(SceneMaterials, LieBesideTheScene)
     write("m.mtl", red_brick);
     const Scene scene =
         load("mtllib m.mtl\n" + square + "usemtl brick\nf 1 2 3\nusemtl none\nf 1 3 4\n");
-    EXPECT_EQ(scene.vertices[0].colour, red);
-    EXPECT_EQ(scene.vertices[5].colour, grey);
+    EXPECT_EQ(scene.corner(0).colour, grey) << "drawn material by material";
+    EXPECT_EQ(scene.corner(5).colour, red);
     EXPECT_EQ(warnings, "warning: " + (folder / "scene.obj").string() +
                             ": line 8: 'usemtl none': no such material, grey instead\n");
 }
@@ -52,7 +52,7 @@ TEST_F(SceneMaterials, AreFoundForASceneNamedWithoutAFolder)
     std::filesystem::current_path(folder);
     const Scene scene = load_file("scene.obj");
     std::filesystem::current_path(before);
-    EXPECT_EQ(scene.vertices[0].colour, red);
+    EXPECT_EQ(scene.corner(0).colour, red);
     EXPECT_EQ(warnings, "");
 }
 
@@ -150,7 +150,7 @@ TEST_F(SceneMaterials, AreClampedToWhatCanBeDrawn)
     EXPECT_NE(warnings.find("line 2: 'Kd -1 1e39 0.5': outside 0 to 1"), std::string::npos);
     colour_of("Kd 0 0 0\nKe 1e39 -1 0.5\n");
     EXPECT_NE(warnings.find("line 3: 'Ke 1e39 -1 0.5': outside 0 to 1000"), std::string::npos);
-    EXPECT_EQ(load_file(folder / "scene.obj").lamps[0].colour, vec3(1000, 0, 0.5f));
+    EXPECT_EQ(load_file(folder / "scene.obj").submeshes[0].material.light, vec3(1000, 0, 0.5f));
 }
 
 TEST_F(SceneMaterials, TellWhatShines)
@@ -159,11 +159,13 @@ TEST_F(SceneMaterials, TellWhatShines)
     const Scene scene = load("mtllib m.mtl\n" + square +
                              "v 0 1 0\nv 1 1 0\nv 0 2 0\n"
                              "usemtl stone\nf 1 2 3 4\nusemtl glass\nf 5 6 7\n");
-    ASSERT_EQ(scene.vertices.size(), 9u);
-    ASSERT_EQ(scene.lamps.size(), 3u);
-    EXPECT_EQ(scene.lamps[0].position, vec3(0, 1, 0));
-    EXPECT_EQ(scene.lamps[0].colour, vec3(1, 0.5f, 0.25f));
-    EXPECT_EQ(scene.vertices[6].colour, vec3(1));  // by day it looks like any other
+    ASSERT_EQ(scene.indices.size(), 9u);
+    ASSERT_EQ(scene.submeshes.size(), 2u);
+    EXPECT_EQ(scene.submeshes[0].material.light, vec3(0));
+    EXPECT_EQ(scene.submeshes[1].first, 6u);
+    EXPECT_EQ(scene.submeshes[1].count, 3u);
+    EXPECT_EQ(scene.submeshes[1].material.light, vec3(1, 0.5f, 0.25f));
+    EXPECT_EQ(scene.corner(6).colour, vec3(1));  // by day it looks like any other
 }
 
 TEST_F(SceneMaterials, AreToldInShortAndOnOneLine)

@@ -32,9 +32,9 @@ std::vector<vec3> facing_after_orient(const std::vector<Face>& faces)
     std::vector<Polygon> polygons;
     std::vector<vec3> points;
     for (const Face& face : faces) {
-        polygons.push_back({{}, 0});
+        polygons.emplace_back();
         for (const vec3& corner : face) {
-            polygons.back().corners.push_back(uint32_t(points.size()));
+            polygons.back().corners.push_back({uint32_t(points.size())});
             points.push_back(corner);
         }
     }
@@ -42,7 +42,8 @@ std::vector<vec3> facing_after_orient(const std::vector<Face>& faces)
     std::vector<Face> oriented;
     for (const Polygon& polygon : polygons) {
         oriented.emplace_back();
-        for (const uint32_t corner : polygon.corners) oriented.back().push_back(points[corner]);
+        for (const Corner& corner : polygon.corners)
+            oriented.back().push_back(points[corner.point]);
     }
     return facing(oriented);
 }

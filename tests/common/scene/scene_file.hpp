@@ -72,10 +72,10 @@ inline const std::string square = "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 -8\n";
 inline double area(const Scene& scene, bool seen_from_above = false)
 {
     double sum = 0;
-    for (size_t i = 0; i < scene.vertices.size(); i += 3) {
-        const glm::vec3 a = scene.vertices[i].position;
+    for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        const glm::vec3 a = scene.corner(i).position;
         const glm::vec3 across =
-            glm::cross(scene.vertices[i + 1].position - a, scene.vertices[i + 2].position - a);
+            glm::cross(scene.corner(i + 1).position - a, scene.corner(i + 2).position - a);
         sum += 0.5 * (seen_from_above ? across.y : glm::length(across));
     }
     return sum;

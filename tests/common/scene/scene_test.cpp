@@ -11,7 +11,7 @@ using glm::vec3;
 
 TEST_F(SceneFile, WithPolygonsIsDividedIntoTriangles)
 {
-    EXPECT_EQ(load(square + "f 1 2 3 4\n").vertices.size(), 6u);
+    EXPECT_EQ(load(square + "f 1 2 3 4\n").indices.size(), 6u);
     // Six corners around a square, in a regular order.
     EXPECT_NEAR(area(load(square + "v -8 0 0\nv 8 0 0\nf 1 5 2 3 6 4\n")), 256, 1e-3);
 }
@@ -30,12 +30,12 @@ TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
             reversed = corner + reversed;
         }
         const Scene scene = load(corners[0] + "f " + face + "\n");
-        EXPECT_EQ(scene.vertices.size(), 3u * 4u);
+        EXPECT_EQ(scene.indices.size(), 3u * 4u);
         EXPECT_NEAR(area(scene), 16 * 4 + 12 * 4, 1e-3);
         EXPECT_NEAR(area(scene, true), 16 * 4 + 12 * 4, 1e-3) << "none is turned over";
-        for (size_t i = 0; i < scene.vertices.size(); i += 3) {
-            const vec3 middle = (scene.vertices[i].position + scene.vertices[i + 1].position +
-                                 scene.vertices[i + 2].position) /
+        for (size_t i = 0; i < scene.indices.size(); i += 3) {
+            const vec3 middle = (scene.corner(i).position + scene.corner(i + 1).position +
+                                 scene.corner(i + 2).position) /
                                 3.0f;
             EXPECT_TRUE(middle.x < -4 || middle.z > 4) << "outside the L";
         }
@@ -62,7 +62,7 @@ TEST_F(SceneFile, MayHaveACombOfManyTeeth)
     text << "f";
     for (int i = 1; i <= corners; ++i) text << " " << i;
     const Scene scene = load(text.str() + "\n");
-    EXPECT_EQ(scene.vertices.size(), 3u * size_t(corners - 2));
+    EXPECT_EQ(scene.indices.size(), 3u * size_t(corners - 2));
     EXPECT_NEAR(area(scene), 16 + 8 * 15, 1e-3);
     EXPECT_NEAR(std::abs(area(scene, true)), 16 + 8 * 15, 1e-3);
 }
@@ -75,7 +75,7 @@ TEST_F(SceneFile, MayHavePolygonsThatNoTrianglesCouldFill)
         std::istringstream words(face);
         const auto corners = std::distance(std::istream_iterator<int>(words), {});
         const Scene scene = load(square + "v 0 0 -8\nf 1 2 3\nf " + std::string(face) + "\n");
-        EXPECT_EQ(scene.vertices.size(), size_t(3 * (1 + corners - 2))) << face;
+        EXPECT_EQ(scene.indices.size(), size_t(3 * (1 + corners - 2))) << face;
     }
     const Scene ring = load(square + "v -4 0 -4\nv -4 0 4\nv 4 0 4\nv 4 0 -4\n"
                                      "f 1 2 3 4 1 5 8 7 6 5\n");
@@ -86,7 +86,7 @@ TEST_F(SceneFile, MayHavePolygonsThatNoTrianglesCouldFill)
 TEST_F(SceneFile, MayHavePolygonsThatAreNotFlat)
 {
     const Scene scene = load("v -8 0 -8\nv -8 1 8\nv 8 0 8\nv 8 1 -8\nf 1 2 3 4\n");
-    EXPECT_EQ(scene.vertices.size(), 6u);
+    EXPECT_EQ(scene.indices.size(), 6u);
     EXPECT_NEAR(area(scene, true), 256, 1e-3);
 }
 
@@ -107,7 +107,7 @@ TEST_F(SceneFile, MayHavePolygonsOfManyCorners)
 {
     for (const int corners : {256, 1000, 5000}) {
         const Scene disc = load(star(corners, 1));
-        EXPECT_EQ(disc.vertices.size(), 3u * size_t(corners - 2));
+        EXPECT_EQ(disc.indices.size(), 3u * size_t(corners - 2));
         EXPECT_NEAR(area(disc, true), M_PI * 64, 0.1);
         EXPECT_NEAR(area(disc), area(disc, true), 0.01);
         const Scene spiky = load(star(corners, 0.5));
@@ -189,14 +189,14 @@ TEST_F(SceneFile, MayHaveColoursAtItsVertices)
             EXPECT_EQ(vertex.colour, vec3(0, 0.5f, 1)) << "no more than 1";
     }
     write("m.mtl", "newmtl red\nKd 0.5 0 0\n");
-    EXPECT_EQ(load("mtllib m.mtl\nusemtl red\n" + coloured).vertices[1].colour, vec3(0.5f, 0, 0));
+    EXPECT_EQ(load("mtllib m.mtl\nusemtl red\n" + coloured).corner(1).colour, vec3(0.5f, 0, 0));
 }
 
 TEST_F(SceneFile, IsFittedIntoTheWorldWithItsFloorOnTheGround)
 {
     const Scene scene =
         load("v 100 50 0\nv 100 50 400\nv 500 50 400\nv 300 60 200\nf 1 2 3\nf 1 3 4\n");
-    vec3 least = scene.vertices[0].position, most = least;
+    vec3 least = scene.corner(0).position, most = least;
     for (const Vertex& vertex : scene.vertices) {
         least = glm::min(least, vertex.position);
         most = glm::max(most, vertex.position);
@@ -224,9 +224,9 @@ static std::string stair(double x, double y, double z)
 TEST_F(SceneFile, KeepsItsShapeFarFromItsOrigin)
 {
     const Scene near = load(stair(0, 0, 0)), far = load(stair(691500, 300, 5336200));
-    ASSERT_EQ(near.vertices.size(), far.vertices.size());
-    for (size_t i = 0; i < near.vertices.size(); ++i) {
-        EXPECT_LE(glm::distance(near.vertices[i].position, far.vertices[i].position), 1e-5f);
+    ASSERT_EQ(near.indices.size(), far.indices.size());
+    for (size_t i = 0; i < near.indices.size(); ++i) {
+        EXPECT_LE(glm::distance(near.corner(i).position, far.corner(i).position), 1e-5f);
     }
 }
 
@@ -269,7 +269,7 @@ TEST_F(SceneFile, MayHaveZUp)
     float highest = 0;
     for (const Vertex& vertex : scene.vertices) highest = std::max(highest, vertex.position.y);
     EXPECT_EQ(highest, 4);
-    EXPECT_EQ(scene.vertices[0].normal, vec3(0, 1, 0)) << "turned, not mirrored";
+    EXPECT_EQ(scene.corner(0).normal, vec3(0, 1, 0)) << "turned, not mirrored";
 }
 
 TEST_F(SceneFile, NoneIsTheEmptyScene)

@@ -62,7 +62,10 @@ private:
 
     static std::string fault_of(const Scene& scene)
     {
-        if (scene.vertices.empty() || scene.vertices.size() % 3 != 0) return "no whole triangles";
+        if (scene.indices.empty() || scene.indices.size() % 3 != 0) return "no whole triangles";
+        for (const uint32_t index : scene.indices) {
+            if (index >= scene.vertices.size()) return "a corner without a vertex";
+        }
         for (const Vertex& vertex : scene.vertices) {
             const glm::vec3 p = vertex.position;
             const float rounding = 1e-4f;  // m
@@ -73,12 +76,17 @@ private:
             const glm::vec3 c = vertex.colour;
             if (!(glm::min(c.r, glm::min(c.g, c.b)) >= 0 && glm::max(c.r, glm::max(c.g, c.b)) <= 1))
                 return "a wrong colour";
+            if (!std::isfinite(vertex.uv.x + vertex.uv.y)) return "a wrong texture coordinate";
         }
-        for (const Vertex& lamp : scene.lamps) {
-            const glm::vec3 c = lamp.colour;
+        size_t drawn = 0;
+        for (const Submesh& submesh : scene.submeshes) {
+            if (submesh.first != drawn || submesh.count == 0) return "a gap between submeshes";
+            drawn += submesh.count;
+            const glm::vec3 c = submesh.material.light;
             if (!(c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r + c.g + c.b <= 3000))
                 return "a wrong light";
         }
+        if (drawn != scene.indices.size()) return "triangles in no submesh";
         return "";
     }
 
