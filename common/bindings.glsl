@@ -23,6 +23,7 @@
 #define WIND_Z_UNIT 6
 #define SHADOW_UNIT 7
 #define SKY_SEEN_UNIT 8
+#define PICTURE_UNIT 9  // of a surface of the scene
 
 // Image units
 #define DEPTH_IMAGE 0

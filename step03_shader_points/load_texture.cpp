@@ -1,20 +1,20 @@
 #include "step03_shader_points/load_texture.hpp"
 
-#include <memory>
 #include <stb_image.h>
 #include <stdexcept>
 
 #include "common/harness/files.hpp"
 
-GlObject load_texture(const std::string& name)
+Picture read_picture(const std::filesystem::path& path)
 {
-    const std::string path = find_file(name).string();
+    const std::string name = path.string();
     const auto refuse = [&](const std::string& reason) {
-        throw std::runtime_error("cannot use " + path + ": " + reason);
+        throw std::runtime_error("cannot use " + name + ": " + reason);
     };
-    const std::string broken = "a broken picture, or no PNG";  // stb does not always know why
+    // stb does not always know why.
+    const std::string broken = "a broken picture, or no PNG, JPEG or TGA (save it anew)";
     int width = 0, height = 0, channels = 0;
-    if (!stbi_info(path.c_str(), &width, &height, &channels)) refuse(broken);
+    if (!stbi_info(name.c_str(), &width, &height, &channels)) refuse(broken);
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (width > largest || height > largest) {
@@ -23,15 +23,25 @@ GlObject load_texture(const std::string& name)
                " (make it smaller)");
     }
     stbi_set_flip_vertically_on_load(1);  // OpenGL's first row is the lowest
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load(path.c_str(), &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels) refuse(broken);
+    Picture picture{0, 0, 0, {nullptr, stbi_image_free}};
+    picture.pixels.reset(
+        stbi_load(name.c_str(), &picture.width, &picture.height, &picture.channels, 4));
+    if (!picture.pixels) refuse(broken);
+    return picture;
+}
 
+GlObject upload_picture(const Picture& picture)
+{
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 pixels.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, picture.pixels.get());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glGenerateMipmap(GL_TEXTURE_2D);
     return texture;
+}
+
+GlObject load_texture(const std::string& name)
+{
+    return upload_picture(read_picture(find_file(name)));
 }

@@ -1,6 +1,7 @@
 #version 330 core
-// A surface of the scene in its own colour.
+// A surface of the scene in its own colour, or with its picture.
 
+#include "step05_collision/picture.glsl"
 #include "step05_collision/shading.glsl"
 
 in vec3 world_position;
@@ -11,5 +12,6 @@ out vec4 colour;
 
 void main()
 {
-    colour = vec4(lit(base_colour, normalize(world_normal), world_position), 1.0);
+    vec3 surface = with_picture(base_colour);
+    colour = vec4(lit(surface, normalize(world_normal), world_position), 1.0);
 }

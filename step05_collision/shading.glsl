@@ -11,5 +11,5 @@ vec3 lit(vec3 colour, vec3 normal, vec3 position)
     vec3 light = 0.75 * max(dot(normal, to_sun), 0.0) * vec3(1.0, 0.93, 0.82) +
                  mix(vec3(0.10, 0.10, 0.11), vec3(0.36, 0.42, 0.52), sky);
     float clear = exp(-0.016 * distance(eye, position));  // part of the light that the air lets through
-    return mix(fog, pow(colour * light, vec3(1.0 / 2.2)), clear);
+    return mix(fog, sqrt(colour * light), clear);  // a screen shows about the square
 }

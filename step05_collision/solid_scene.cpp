@@ -3,7 +3,7 @@
 #include "common/window.hpp"
 
 SolidScene::SolidScene(const Window& window)
-    : scene(load_scene(window.options().scene, window.options().up)), mesh(scene),
+    : scene(load_scene(window.options().scene, window.options().up)), mesh(scene), pictures(scene),
       grid(voxelise(scene, window.options().voxels)), voxels(upload_voxels(grid))
 {}
 
@@ -18,4 +18,12 @@ void set_voxels(Program& program, const SolidScene& solid)
 {
     set_grid(program, solid.grid);
     program.set_texture("voxels", VOXELS_UNIT, GL_TEXTURE_3D, solid.voxels);
+}
+
+void draw_scene(Program& program, const SolidScene& solid)
+{
+    for (size_t i = 0; i < solid.scene.submeshes.size(); ++i) {
+        solid.pictures.set(program, i);
+        solid.mesh.draw(solid.scene.submeshes[i]);
+    }
 }

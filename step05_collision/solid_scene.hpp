@@ -4,6 +4,7 @@
 #include "common/program.hpp"
 #include "common/scene/scene.hpp"
 #include "step05_collision/scene_mesh.hpp"
+#include "step05_collision/scene_pictures.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
 class Window;
@@ -12,7 +13,8 @@ struct SolidScene {
     explicit SolidScene(const Window& window);  // from the file and with the voxels of its options
 
     Scene scene;
-    SceneMesh mesh;   // to be drawn
+    SceneMesh mesh;  // to be drawn
+    ScenePictures pictures;
     VoxelGrid grid;   // to be landed on
     GlObject voxels;  // the grid, on the GPU
 };
@@ -21,3 +23,6 @@ struct SolidScene {
 // (voxels.glsl).
 void set_grid(Program& program, const VoxelGrid& grid);
 void set_voxels(Program& program, const SolidScene& solid);
+
+// Draws the scene, material by material, with the program in use (picture.glsl).
+void draw_scene(Program& program, const SolidScene& solid);

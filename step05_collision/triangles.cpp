@@ -67,7 +67,7 @@ void run_triangles(Window& window)
             surface.set("projection", window.projection());
             surface.set("eye", window.eye());
             surface.set("fog", sky);
-            solid.mesh.draw();
+            draw_scene(surface, solid);
         }
         {
             const auto stage = window.stage("draw");

@@ -88,7 +88,7 @@ void run(Window& window)
             surface.set("eye", window.eye());
             surface.set("fog", sky);
             columns.set_depth(surface);
-            solid.mesh.draw();
+            draw_scene(surface, solid);
         }
         {
             const auto stage = window.stage("draw");

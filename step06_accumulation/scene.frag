@@ -1,6 +1,7 @@
 #version 430 core
 // A surface of the scene, the whiter the deeper the snow on it.
 
+#include "step05_collision/picture.glsl"
 #include "step05_collision/shading.glsl"
 #include "step06_accumulation/cover/snow_depth.glsl"
 
@@ -16,6 +17,6 @@ void main()
     const vec3 snow_colour = vec3(0.90, 0.93, 0.97);
     const float least_upward = 0.1;  // normal.y of a surface on which snow can lie
     float depth = world_normal.y > least_upward ? depth_at(bare_position) : 0.0;
-    vec3 surface = mix(base_colour, snow_colour, smoothstep(0.0, 0.02, depth));
+    vec3 surface = mix(with_picture(base_colour), snow_colour, smoothstep(0.0, 0.02, depth));
     colour = vec4(lit(surface, normalize(world_normal), world_position), 1.0);
 }

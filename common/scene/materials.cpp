@@ -33,6 +33,40 @@ std::optional<fs::path> find_similar(fs::path folder, std::string name)
     return folder;
 }
 
+// The same, for a name that may have folders of another machine in front of it.
+std::optional<fs::path> find_named(const fs::path& folder, std::string_view name)
+{
+    const std::optional<fs::path> path = find_similar(folder, std::string(name));
+    if (path) return path;
+    return find_similar(folder, std::string(name.substr(name.find_last_of("/\\") + 1)));
+}
+
+// The name of the picture in a statement, behind its options. Two of those show here: scale and
+// offset of the texture coordinates.
+std::string_view picture_name(std::string_view words, Material& material)
+{
+    while (words.starts_with('-')) {
+        const std::string option = lower_case(take_word(words));
+        if (option != "-s" && option != "-o" && option != "-t") {
+            take_word(words);
+            if (option == "-mm") take_word(words);
+            continue;
+        }
+        glm::vec2 ignored;
+        glm::vec2& numbers = option == "-s"   ? material.uv_scale
+                             : option == "-o" ? material.uv_offset
+                                              : ignored;
+        for (int i = 0; i < 3; ++i) {
+            std::string_view rest = words;
+            const std::optional<double> number = to_number(take_word(rest));
+            if (!number) break;
+            if (i < 2) numbers[i] = float(glm::clamp(*number, -1e6, 1e6));
+            words = rest;
+        }
+    }
+    return words;
+}
+
 // What has no exact match is compared by this: in small letters, and without a comment.
 std::string similar(std::string_view name)
 {
@@ -63,7 +97,7 @@ std::optional<dvec3> to_colour(std::string_view text)
 void Materials::read(const Statement& mtllib)
 {
     const auto read_if_found = [&](std::string_view name) {
-        const std::optional<fs::path> path = find_similar(scene_.parent_path(), std::string(name));
+        const std::optional<fs::path> path = find_named(scene_.parent_path(), name);
         if (path && files_.insert(*path).second) {
             try {
                 read_file(*path);
@@ -73,9 +107,9 @@ void Materials::read(const Statement& mtllib)
         }
         return path.has_value();
     };
-    // The whole line is one name, perhaps with folders of another machine; or each word is one.
+    // The whole line is one name, or each word is one.
     std::string_view names = mtllib.rest;
-    if (read_if_found(names) || read_if_found(names.substr(names.find_last_of("/\\") + 1))) return;
+    if (read_if_found(names)) return;
     bool found = false;
     for (auto name = take_word(names); !name.empty() && name[0] != '#'; name = take_word(names))
         found |= read_if_found(name);
@@ -108,17 +142,33 @@ void Materials::read_file(const fs::path& path)
             material = is_new ? &materials_.back() : &ignored;
         } else if (statement->keyword == "kd") {
             set(material->colour, 1);
+            material->tint = material->colour;
         } else if (statement->keyword == "ke") {
             const double brightest = 1000;  // 1 is white paper in a bright room
             set(material->light, brightest);
         } else if (statement->keyword == "map_kd") {
-            warnings.add(path, *statement,
-                         "pictures are not supported, one colour takes their place");
+            material->picture = find_picture(path, *statement, *material);
             has_picture = true;
+        } else if (statement->keyword == "map_d") {
+            material->mask = find_picture(path, *statement, *material);
         }
         // Many write black where the picture has the colour.
-        if (has_picture && material->colour == vec3(0)) material->colour = Material{}.colour;
+        if (has_picture && material->colour == vec3(0)) {
+            material->colour = Material{}.colour;
+            material->tint = Material{}.tint;
+        }
     }
+}
+
+// Empty if there is none. Whether it can be used is found out where it is drawn.
+fs::path Materials::find_picture(const fs::path& file, const Statement& map, Material& material)
+{
+    const std::string_view name = picture_name(map.rest, material);
+    std::optional<fs::path> path = find_named(file.parent_path(), name);
+    if (!path) path = find_named(file.parent_path(), name.substr(0, name.find(" #")));
+    if (path && fs::is_regular_file(*path)) return *path;
+    warnings.add(file, map, "no such picture, one colour takes its place");
+    return {};
 }
 
 size_t Materials::find(const Statement& usemtl)

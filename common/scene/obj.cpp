@@ -26,7 +26,7 @@ public:
                 read_polygon(without_comment(statement->rest), polygon);
             } else if (statement->keyword == "vt") {
                 const glm::dvec3 uv = read_numbers(*statement, 1);
-                obj_.uvs.emplace_back(glm::clamp(uv, -1e6, 1e6));  // or a float has no fraction
+                obj_.uvs.emplace_back(glm::clamp(uv, -1e6, 1e6));
             } else if (statement->keyword == "vn") {
                 const glm::dvec3 normal = read_numbers(*statement, 3);
                 obj_.normals.emplace_back(glm::clamp(normal, -1e6, 1e6));

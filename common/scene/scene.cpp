@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "common/scene/normals.hpp"
 #include "common/scene/obj.hpp"
@@ -16,6 +17,7 @@
 namespace {
 
 using glm::dvec3;
+using glm::vec2;
 using glm::vec3;
 
 dvec3 turn(dvec3 p, char up)
@@ -74,6 +76,14 @@ struct Hash {
     }
 };
 
+// Has it a picture, and a place in that for each of its corners?
+bool is_pictured(const Polygon& polygon, const Materials& materials)
+{
+    return materials[polygon.material].has_picture() &&
+           std::none_of(polygon.corners.begin(), polygon.corners.end(),
+                        [](const Corner& corner) { return corner.uv == Corner::none; });
+}
+
 // Puts triangles of polygons together, whose materials come one after the other.
 class Builder {
 public:
@@ -87,9 +97,13 @@ public:
 private:
     void add(const Polygon& polygon)
     {
-        if (scene.submeshes.empty() || polygon.material != material_) {
+        const bool pictured = is_pictured(polygon, obj_.materials);
+        if (scene.submeshes.empty() || polygon.material != material_ || pictured != pictured_) {
             material_ = polygon.material;
+            pictured_ = pictured;
             scene.submeshes.push_back({obj_.materials[material_], scene.indices.size(), 0});
+            Material& material = scene.submeshes.back().material;
+            if (!pictured) material.picture = material.mask = "";
         }
         std::vector<dvec3> corners;
         for (const Corner& corner : polygon.corners) corners.push_back(points_[corner.point]);
@@ -110,9 +124,14 @@ private:
         vertex.normal = flat;
         if (corner.normal != Corner::none)
             vertex.normal = to_length_1(obj_.normals[corner.normal], flat);
-        vertex.colour =
-            material_ == 0 ? obj_.colours[corner.point] : obj_.materials[material_].colour;
-        if (corner.uv != Corner::none) vertex.uv = obj_.uvs[corner.uv];
+        const Material& material = scene.submeshes.back().material;
+        vertex.colour = material_ == 0             ? obj_.colours[corner.point]
+                        : material.picture.empty() ? material.colour
+                                                   : material.tint;
+        if (material.has_picture()) {
+            const vec2 uv = material.uv_scale * obj_.uvs[corner.uv] + material.uv_offset;
+            vertex.uv = glm::clamp(uv, -1e6f, 1e6f);  // beyond, a float has no fraction
+        }
         const auto [place, is_new] = numbers_.emplace(vertex, uint32_t(scene.vertices.size()));
         if (is_new) scene.vertices.push_back(vertex);
         scene.indices.push_back(place->second);
@@ -128,6 +147,7 @@ private:
     const Obj& obj_;
     const std::vector<vec3>& points_;
     size_t material_ = 0;  // of the last submesh
+    bool pictured_ = false;
     std::unordered_map<Vertex, uint32_t, Hash, Equal> numbers_;
 };
 
@@ -143,8 +163,11 @@ Scene load_scene(const std::filesystem::path& path, char up)
     orient(obj.polygons, points);
     for (vec3& normal : obj.normals) normal = turn(normal, up);
     complete_normals(obj.polygons, obj.normals, points);
+    const auto kind = [&](const Polygon& polygon) {
+        return std::pair(polygon.material, is_pictured(polygon, obj.materials));
+    };
     std::stable_sort(obj.polygons.begin(), obj.polygons.end(),
-                     [](const Polygon& a, const Polygon& b) { return a.material < b.material; });
+                     [&](const Polygon& a, const Polygon& b) { return kind(a) < kind(b); });
 
     Scene scene = Builder(obj, points).scene;
     std::cout << "scene " << path.filename().string() << ": " << scene.indices.size() / 3

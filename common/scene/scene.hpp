@@ -11,11 +11,12 @@
 struct Vertex {
     glm::vec3 position;  // m, world space
     glm::vec3 normal;    // of the surface, length 1
-    glm::vec3 colour;    // diffuse, linear
+    glm::vec3 colour;    // diffuse, linear; multiplies the picture where there is one
     glm::vec2 uv;        // texture coordinates
 };
 
-// The triangles of one material, which can be drawn at once.
+// The triangles of one material, which can be drawn at once. Its picture is none where they have no
+// texture coordinates.
 struct Submesh {
     Material material;
     size_t first, count;  // of the scene's indices

@@ -55,7 +55,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
             set_light(*program);
             columns_.set_depth(*program);
         }
-        surface_.draw();
+        surface_.draw(solid_.pictures);
     }
     if (Sky::sky != 0) {
         const auto stage = window.stage("sky");

@@ -5,18 +5,18 @@
 #include <map>
 #include <utility>
 
-SurfaceMesh make_snow_surface(const Scene& scene, float fine_enough)
+std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough)
 {
     constexpr float longest = 1;          // m
     constexpr float least_upward = 0.1f;  // normal.y of a surface that snow can lie on
-    SurfaceMesh mesh;
+    std::vector<SurfacePart> parts;
     const auto add = [&](const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
         const auto longer = [&](const SurfaceVertex& p, const SurfaceVertex& q) {
             return glm::distance(p.vertex.position, q.vertex.position) > fine_enough;
         };
         const bool coarse =
             a.lift + b.lift + c.lift > 0 && (longer(a, b) || longer(b, c) || longer(c, a));
-        std::vector<SurfaceVertex>& part = coarse ? mesh.coarse : mesh.fine;
+        std::vector<SurfaceVertex>& part = coarse ? parts.back().coarse : parts.back().fine;
         part.insert(part.end(), {a, b, c});
     };
 
@@ -30,6 +30,8 @@ SurfaceMesh make_snow_surface(const Scene& scene, float fine_enough)
 
     std::vector<std::array<Vertex, 3>> left;
     for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        if (parts.size() < scene.submeshes.size() && i == scene.submeshes[parts.size()].first)
+            parts.emplace_back();
         left.push_back({scene.corner(i), scene.corner(i + 1), scene.corner(i + 2)});
         while (!left.empty()) {
             const std::array<Vertex, 3> triangle = left.back();
@@ -45,8 +47,7 @@ SurfaceMesh make_snow_surface(const Scene& scene, float fine_enough)
             const Vertex a = triangle[split], b = triangle[(split + 1) % 3],
                          c = triangle[(split + 2) % 3];
             if (length(split) > longest) {
-                const Vertex middle{0.5f * (a.position + b.position),
-                                    glm::normalize(a.normal + b.normal),
+                const Vertex middle{0.5f * (a.position + b.position), 0.5f * (a.normal + b.normal),
                                     0.5f * (a.colour + b.colour), 0.5f * (a.uv + b.uv)};
                 left.push_back({a, middle, c});
                 left.push_back({middle, b, c});
@@ -62,6 +63,7 @@ SurfaceMesh make_snow_surface(const Scene& scene, float fine_enough)
             }
         }
     }
+    parts.emplace_back();
     for (const auto& [ends, vertices] : border) {
         auto [from, to] = vertices;
         const glm::vec3 along = to.position - from.position;
@@ -69,7 +71,7 @@ SurfaceMesh make_snow_surface(const Scene& scene, float fine_enough)
         add({to, 1, 1}, {from, 1, 1}, {from, 0, 1});
         add({to, 1, 1}, {from, 0, 1}, {to, 0, 1});
     }
-    return mesh;
+    return parts;
 }
 
 SnowSurface::SnowSurface(const Scene& scene, float cell_size)
@@ -82,11 +84,16 @@ SnowSurface::SnowSurface(const Scene& scene, float cell_size)
                     {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}}),
       fine_enough_(3 * cell_size)
 {
-    SurfaceMesh mesh = make_snow_surface(scene, fine_enough_);
-    coarse_ = GLsizei(mesh.coarse.size());
-    fine_ = GLsizei(mesh.fine.size());
-    std::vector<SurfaceVertex>& vertices = mesh.coarse;
-    vertices.insert(vertices.end(), mesh.fine.begin(), mesh.fine.end());
+    std::vector<SurfaceVertex> vertices;
+    const auto add = [&](std::vector<Part>& parts, const std::vector<SurfaceVertex>& part) {
+        const size_t submesh = parts.size();
+        parts.push_back({submesh, GLint(vertices.size()), GLsizei(part.size())});
+        vertices.insert(vertices.end(), part.begin(), part.end());
+    };
+    for (const SurfacePart& part : make_snow_surface(scene, fine_enough_)) {
+        add(coarse_, part.coarse);
+        add(fine_, part.fine);
+    }
     glBindVertexArray(vao_);
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(SurfaceVertex)),
@@ -99,8 +106,9 @@ SnowSurface::SnowSurface(const Scene& scene, float cell_size)
     field(0, 3, offsetof(Vertex, position));
     field(1, 3, offsetof(Vertex, normal));
     field(2, 3, offsetof(Vertex, colour));
-    field(3, 1, offsetof(SurfaceVertex, lift));
-    field(4, 1, offsetof(SurfaceVertex, skirt));
+    field(3, 2, offsetof(Vertex, uv));
+    field(4, 1, offsetof(SurfaceVertex, lift));
+    field(5, 1, offsetof(SurfaceVertex, skirt));
 }
 
 std::vector<snow::Parameter> SnowSurface::parameters()
@@ -117,17 +125,26 @@ std::vector<Program*> SnowSurface::programs()
     return {&untessellated_, &tessellated_};
 }
 
-void SnowSurface::draw()
+void SnowSurface::draw(GLenum mode, const std::vector<Part>& parts, Program& program,
+                       const ScenePictures& pictures)
+{
+    for (const Part& part : parts) {
+        if (part.count == 0) continue;
+        pictures.set(program, part.submesh);
+        glDrawArrays(mode, part.first, part.count);
+    }
+}
+
+void SnowSurface::draw(const ScenePictures& pictures)
 {
     glBindVertexArray(vao_);
-    const GLsizei patches = tessellation != 0 ? coarse_ : 0;
     untessellated_.use();
     untessellated_.set("sparkle", sparkle != 0 ? 1 : 0);
-    glDrawArrays(GL_TRIANGLES, patches, coarse_ + fine_ - patches);
-    if (patches == 0) return;
+    draw(GL_TRIANGLES, fine_, untessellated_, pictures);
+    if (tessellation == 0) return draw(GL_TRIANGLES, coarse_, untessellated_, pictures);
     tessellated_.use();
     tessellated_.set("sparkle", sparkle != 0 ? 1 : 0);
     tessellated_.set("fine_enough", fine_enough_);
     glPatchParameteri(GL_PATCH_VERTICES, 3);
-    glDrawArrays(GL_PATCHES, 0, patches);
+    draw(GL_PATCHES, coarse_, tessellated_, pictures);
 }

@@ -2,6 +2,7 @@
 // A surface of the scene, under as much snow as lies on it.
 
 #include "common/snow.glsl"
+#include "step05_collision/picture.glsl"
 #include "step06_accumulation/winter/light/light.glsl"
 #include "step06_accumulation/winter/surface/smooth_depth.glsl"
 
@@ -50,6 +51,7 @@ vec3 glint(vec3 normal, vec3 point)
 
 void main()
 {
+    vec3 surface = with_picture(base_colour);
     vec3 normal = normalize(base_normal);
     float cover = is_skirt;
     vec3 snow_normal = normalize(normal + vec3(0.0, 0.5, 0.0));
@@ -59,7 +61,7 @@ void main()
         snow_normal = normalize(normal / max(normal.y, 0.2) - vec3(snow.y, 0.0, snow.z));
     }
     normal = normalize(mix(normal, snow_normal, cover));
-    vec3 radiance = lit(mix(base_colour, snow_colour, cover), normal, world_position);
+    vec3 radiance = lit(mix(surface, snow_colour, cover), normal, world_position);
     if (sparkle && cover > 0.5) radiance += glint(normal, world_position);
     colour = vec4(tone_mapped(through_air(radiance, world_position)), 1.0);
 }

@@ -8,8 +8,8 @@ layout(vertices = 3) out;
 
 uniform float fine_enough;  // m, length of an edge that stays as it is
 
-in Corner { vec3 position, normal, colour; float lift, skirt; } corner[];
-out Corner { vec3 position, normal, colour; float lift, skirt; } control[];
+in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; } corner[];
+out Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; } control[];
 
 // Depth of the snow in the column at `point`, m.
 float roughly(vec3 point)
@@ -43,6 +43,7 @@ void main()
     control[gl_InvocationID].position = corner[gl_InvocationID].position;
     control[gl_InvocationID].normal = corner[gl_InvocationID].normal;
     control[gl_InvocationID].colour = corner[gl_InvocationID].colour;
+    control[gl_InvocationID].uv = corner[gl_InvocationID].uv;
     control[gl_InvocationID].lift = corner[gl_InvocationID].lift;
     control[gl_InvocationID].skirt = corner[gl_InvocationID].skirt;
     if (gl_InvocationID == 0) {

@@ -5,7 +5,7 @@
 
 layout(triangles, fractional_even_spacing, ccw) in;
 
-in Corner { vec3 position, normal, colour; float lift, skirt; } control[];
+in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; } control[];
 
 void main()
 {
@@ -16,6 +16,7 @@ void main()
     put_on_snow(position,
                 part.x * control[0].normal + part.y * control[1].normal + part.z * control[2].normal,
                 part.x * control[0].colour + part.y * control[1].colour + part.z * control[2].colour,
+                part.x * control[0].uv + part.y * control[1].uv + part.z * control[2].uv,
                 part.x * control[0].lift + part.y * control[1].lift + part.z * control[2].lift,
                 control[0].skirt);
 }

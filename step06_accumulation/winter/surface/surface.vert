@@ -6,10 +6,11 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
-layout(location = 3) in float lift;
-layout(location = 4) in float skirt;
+layout(location = 3) in vec2 uv;
+layout(location = 4) in float lift;
+layout(location = 5) in float skirt;
 
 void main()
 {
-    put_on_snow(position, normal, colour, lift, skirt);
+    put_on_snow(position, normal, colour, uv, lift, skirt);
 }

@@ -133,15 +133,45 @@ TEST_F(SceneMaterials, AreGreyWithoutAColour)
     }
 }
 
-TEST_F(SceneMaterials, AreOfOneColourInsteadOfAPicture)
+TEST_F(SceneMaterials, AreOfOneColourInsteadOfAMissingPicture)
 {
     for (const char* statements : {"Kd 0 0 0\nmap_Kd brick.png\n", "map_Kd brick.png\nKd 0 0 0\n",
                                    "map_Kd -s 1 1 1 brick.png\n"}) {
         EXPECT_EQ(colour_of(statements), grey) << statements;
         EXPECT_EQ(lines(warnings), 1u) << warnings;
-        EXPECT_NE(warnings.find("pictures are not supported"), std::string::npos);
+        EXPECT_NE(warnings.find("no such picture, one colour takes its place"), std::string::npos);
     }
     EXPECT_EQ(colour_of("map_Kd brick.png\nKd 0.75 0.25 0.125\n"), red);
+    EXPECT_EQ(colour_of("map_Kd .\nmap_Kd /dev/zero\nKd 0.75 0.25 0.125\n"), red);
+    EXPECT_NE(warnings.find("(and 1 more)"), std::string::npos) << warnings;
+}
+
+TEST_F(SceneMaterials, FindTheirPictures)
+{
+    const std::string with_uvs = square + "vt 0.5 0.25\nusemtl brick\n";
+    write("Two Words #1.png", "");
+    write("parts/brick.png", "");
+    for (const char* name :
+         {"Two Words #1.png", "two words #1.PNG  ", "parts/brick.png", "Parts\\Brick.png",
+          "-s 2 4 1 -o 1 1 -clamp on -mm 0 1 parts/brick.png", "C:\\art\\two words #1.png",
+          "-bm 2 -S 2 parts/brick.png", "parts/brick.png # red"}) {
+        write("m.mtl", "newmtl brick\nKd 0.75 0.25 0.125\nmap_Kd " + std::string(name) + "\n");
+        const Scene scene = load("mtllib m.mtl\n" + with_uvs + "f 1/1 2/1 3/1\nf 1 3 4\n");
+        EXPECT_EQ(warnings, "") << name;
+        ASSERT_EQ(scene.submeshes.size(), 2u) << "without texture coordinates there is no picture";
+        EXPECT_TRUE(scene.submeshes[0].material.picture.empty());
+        EXPECT_TRUE(std::filesystem::exists(scene.submeshes[1].material.picture)) << name;
+        EXPECT_EQ(scene.corner(3).colour, red) << "it multiplies the picture";
+        if (name[0] == '-' && name[1] == 's') {
+            EXPECT_EQ(scene.corner(3).uv, glm::vec2(2, 2));
+        } else if (name[0] != '-') {
+            EXPECT_EQ(scene.corner(3).uv, glm::vec2(0.5f, 0.25f));
+        }
+    }
+    write("m.mtl", "newmtl brick\nKd 0 0 0\nmap_Kd parts/brick.png\nmap_d parts/brick.png\n");
+    const Scene black = load("mtllib m.mtl\n" + with_uvs + "f 1/1 2/1 3/1\n");
+    EXPECT_EQ(black.corner(0).colour, vec3(1)) << "or the picture would not be seen";
+    EXPECT_EQ(black.submeshes[0].material.mask, folder / "parts/brick.png");
 }
 
 TEST_F(SceneMaterials, AreClampedToWhatCanBeDrawn)

@@ -88,7 +88,8 @@ TEST_F(SceneMeshOfAFile, TurnsNormalsWithWhatTheyBelongTo)
 TEST_F(SceneMeshOfAFile, HasTheTextureCoordinatesOfItsFile)
 {
     const std::string uvs = "vt 0.25 0.5 # 2D\nvt 2 -1 0\nvt 0.75\nvt nan 1\nvt\n";
-    const Scene scene = load(square + uvs + "f 1/1 2/-4 3/3/ 4/9\n");
+    write("m.mtl", "newmtl m\nmap_Kd m.mtl\n");
+    const Scene scene = load(square + uvs + "mtllib m.mtl\nusemtl m\nf 1/1 2/-4 3/3/ 4/4\n");
     for (size_t i = 0; i < scene.indices.size(); ++i) {
         const Vertex& vertex = scene.corner(i);
         const bool left = vertex.position.x < 0, back = vertex.position.z < 0;
