@@ -8,6 +8,7 @@ An arcade runs along the back (z = -8) and the left (x = -8); the other two side
 So there are places under the open sky, places half sheltered, and places snow cannot reach.
 Faces wind counter-clockwise seen from outside. Snow is shown by moving vertices, so whatever
 it can lie on is cut into small cells, and equal positions within an object are one vertex.
+The pictures on it are made by make_textures.py. Texture coordinates are metres, too.
 """
 import random
 from math import cos, hypot, pi, radians, sin, sqrt
@@ -21,7 +22,7 @@ SPRING = 2.0                    # height at which an arch leaves its columns
 LEG = 0.17                      # half the thickness of the arches; the width of their stones
 UP = (0.0, 1.0, 0.0)
 
-MATERIALS = {                   # colour by day (Kd); the lamp's glass also has its own light (Ke)
+MATERIALS = {                   # colour from afar; the lamp's glass also has its own light (Ke)
     "paving_a": (0.47, 0.47, 0.48), "paving_b": (0.43, 0.43, 0.45), "paving_c": (0.51, 0.50, 0.49),
     "floor_a": (0.60, 0.54, 0.46), "floor_b": (0.47, 0.40, 0.34), "plaster": (0.80, 0.69, 0.54),
     "tile_a": (0.58, 0.31, 0.23), "tile_b": (0.52, 0.27, 0.20), "tile_c": (0.63, 0.36, 0.26),
@@ -30,6 +31,15 @@ MATERIALS = {                   # colour by day (Kd); the lamp's glass also has 
     "bark": (0.25, 0.20, 0.16), "soil": (0.22, 0.17, 0.13), "leaf": (0.20, 0.31, 0.18),
     "pot": (0.60, 0.37, 0.27), "lamp_glass": (0.95, 0.85, 0.62, 1.00, 0.72, 0.36),
 }
+PICTURES = {                    # of the materials whose names begin so; how often it fits in 1 m
+    "paving": ("stone", 1), "floor": ("plaster", 1), "plaster": ("plaster", 0.5),
+    "stone": ("plaster", 2), "tile": ("tiles", 1), "wood": ("wood", 2),
+}
+BRIGHTNESS = {"stone": 0.55, "wood": 0.61, "plaster": 0.77, "tiles": 0.65}      # mean, linear
+
+
+def picture(material):
+    return PICTURES.get(material.split("_")[0])
 
 
 def add(a, b, scale=1.0):
@@ -58,6 +68,7 @@ class Mesh:
 
     def __init__(self):
         self.vertices, self.objects = [], {}
+        self.places, self.place_index = [], {}      # texture coordinates, and their numbers
 
     def begin(self, name, x=0.0, z=0.0, turn=0.0):
         """Start an object; its points are turned about y by `turn` degrees, then moved to x, z."""
@@ -70,15 +81,37 @@ class Mesh:
         if all(y == 0.0 for _, y, _ in points) and self.faces is not self.objects["ground"]:
             return
         x0, z0, c, s = self.place
-        corners = []
-        for x, y, z in points:
+        corners, places = [], self.on_picture(material, points)
+        for (x, y, z), place in zip(points, places):
             key = tuple(round(v, 4) + 0.0 for v in (x0 + c * x + s * z, y, z0 - s * x + c * z))
             if key not in self.index:
                 self.vertices.append(key)
                 self.index[key] = len(self.vertices)
-            if self.index[key] not in corners:      # a quad that touches an axis is a triangle
-                corners.append(self.index[key])
+            if self.index[key] not in [vertex for vertex, _ in corners]:
+                corners.append((self.index[key], place))    # a quad that touches an axis is a triangle
         self.faces.append((material, corners))
+
+    def on_picture(self, material, points):
+        """The number of the place on the material's picture, if it has one, for each point: seen
+        along the axis that the face looks to most nearly. Courses run level, grain lengthwise."""
+        if not picture(material):
+            return [None] * len(points)
+        n = cross(add(points[1], points[0], -1.0), add(points[2], points[0], -1.0))
+        if abs(n[1]) < max(abs(n[0]), abs(n[2])):   # a wall
+            places = [(x if abs(n[2]) > abs(n[0]) else z, y) for x, y, z in points]
+        elif abs(n[0]) > max(abs(n[2]), 0.1 * n[1]):    # a slope along x
+            places = [(z, x if n[0] < 0 else -x) for x, y, z in points]
+        else:
+            places = [(x, z if n[2] < 0.1 * n[1] else -z) for x, y, z in points]
+        wide, high = (max(p[k] for p in places) - min(p[k] for p in places) for k in (0, 1))
+        if picture(material)[0] == "wood" and high > wide:
+            places = [(v, u) for u, v in places]
+        keys = [tuple(round(v, 3) + 0.0 for v in place) for place in places]
+        for key in keys:
+            if key not in self.place_index:
+                self.places.append(key)
+                self.place_index[key] = len(self.places)
+        return [self.place_index[key] for key in keys]
 
     def skin(self, materials, rings):
         """Join each ring of points to the next one; the materials take turns around the ring."""
@@ -294,17 +327,24 @@ def write(mesh, folder):
     with open(folder / "courtyard.mtl", "w", newline="\n") as out:
         out.write(note)
         for name, colour in MATERIALS.items():
-            out.write("\nnewmtl %s\nKd %.2f %.2f %.2f\n" % ((name,) + colour[:3]))
+            share = BRIGHTNESS[picture(name)[0]] if picture(name) else 1.0
+            kd = tuple(min(c / share, 1.0) for c in colour[:3])
+            out.write("\nnewmtl %s\nKd %.2f %.2f %.2f\n" % ((name,) + kd))
+            if picture(name):
+                file, scale = picture(name)
+                out.write("map_Kd -s %g %g 1 %s.png\n" % (scale, scale, file))
             if len(colour) > 3:
                 out.write("Ke %.2f %.2f %.2f\n" % colour[3:])
     with open(folder / "courtyard.obj", "w", newline="\n") as out:
         out.write(note + "# Metres, y up. The ground is y = 0.\nmtllib courtyard.mtl\n")
         out.writelines("v %.4f %.4f %.4f\n" % vertex for vertex in mesh.vertices)
+        out.writelines("vt %g %g\n" % place for place in mesh.places)
         for name, faces in mesh.objects.items():
             out.write("o %s\n" % name)
             for material in sorted({material for material, _ in faces}):
                 out.write("usemtl %s\n" % material)
-                out.writelines("f %s\n" % " ".join(map(str, f)) for m, f in faces if m == material)
+                for corners in (f for m, f in faces if m == material):
+                    out.write("f %s\n" % " ".join(f"{v}/{vt}" if vt else str(v) for v, vt in corners))
 
 
 def main():
