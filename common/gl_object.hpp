@@ -35,6 +35,9 @@ private:
 // To be called after a large allocation. Throws std::runtime_error if OpenGL had no memory for it.
 void check_memory(const char* what, double bytes);
 
+// To be called after reading back. Throws std::runtime_error if OpenGL has not delivered.
+void check_read_back(const char* what);
+
 inline GlObject make_buffer()
 {
     GLuint id = 0;

@@ -10,7 +10,7 @@
 
 #include "common/harness/driver.hpp"
 #include "common/harness/harness.hpp"
-#include "common/harness/vsync.hpp"
+#include "common/harness/window_system.hpp"
 
 static Window* the_window = nullptr;  // GLUT's callbacks are plain functions
 
@@ -47,10 +47,11 @@ Window::Window(CommandLine command)
     glutMouseFunc(on_button);
     glutMotionFunc(on_motion);
     glutPassiveMotionFunc(on_motion);
-    // freeglut destroys window and context after this. But a context that is current lives on until
-    // it no longer is (GLX 1.4, 3.3.7), so what was computed can still be read back, and objects
-    // deleted.
+    // freeglut destroys window and context after this. But in X11 a context that is current lives
+    // on until it no longer is (GLX 1.4, 3.3.7), so what was computed can still be read back, and
+    // objects deleted. Where it would not live on, the window is not closed before the end.
     glutCloseFunc([] { the_window->on_close(); });
+    take_close_button([] { the_window->closing_ = true; });
     catch_interrupts();
     harness_->begin_run();
     glutMainLoopEvent();  // it is mapped, and may at once be of another size

@@ -78,6 +78,7 @@ void run(Window& window)
     }
     glBindBuffer(GL_ARRAY_BUFFER, buffers[now]);
     glGetBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.data());
+    check_read_back("the flakes");
     window.dump(flakes);
 }
 

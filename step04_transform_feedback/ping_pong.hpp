@@ -34,6 +34,7 @@ public:
     {
         glBindBuffer(GL_ARRAY_BUFFER, now_.buffer);
         glGetBufferSubData(GL_ARRAY_BUFFER, 0, bytes_, flakes.data());
+        check_read_back("the flakes");
     }
 
 private:

@@ -125,6 +125,7 @@ void run_texture(Window& window)
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, position_age.data());
     glBindTexture(GL_TEXTURE_2D, states[now].velocity_rest);
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, velocity_rest.data());
+    check_read_back("the flakes");
     for (size_t i = 0; i < flakes.size(); ++i) {
         flakes[i] = {vec3(position_age[i]), position_age[i].w, vec3(velocity_rest[i]),
                      velocity_rest[i].w};

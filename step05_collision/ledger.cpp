@@ -30,6 +30,7 @@ void Ledger::print(const std::vector<snow::Particle>& flakes) const
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_ATOMIC_COUNTER_BUFFER, buffer_);
     glGetBufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof counts, &counts);
+    check_read_back("the ledger");
     size_t airborne_flakes = 0, lying_flakes = 0;
     for (const snow::Particle& flake : flakes) {
         if (flake.age >= 0) ++(flake.rest > 0 ? lying_flakes : airborne_flakes);

@@ -21,6 +21,8 @@ const char* gl_string(GLenum name)
     return reinterpret_cast<const char*>(glGetString(name));
 }
 
+std::string renderer;  // as it was while there was a context to ask
+
 volatile std::sig_atomic_t interrupt = 0;
 
 void on_interrupt(int signal)
@@ -47,11 +49,15 @@ void on_glut_error(const char* format, va_list arguments)
 {
     std::fputs("error: ", stderr);
     std::vfprintf(stderr, format, arguments);
+#ifdef _WIN32
+    std::fputs(" (has the display OpenGL? a remote one may have none)\n", stderr);
+#else
     const bool no_display = std::strstr(format, "open display") != nullptr;
     std::fputs(no_display ? " (is DISPLAY set to a running X server? `xvfb-run` provides one "
                             "without a screen)\n"
                           : " (has the display OpenGL? `glxinfo -B` tells)\n",
                stderr);
+#endif
     std::_Exit(1);
 }
 
@@ -85,6 +91,7 @@ void load_opengl()
         throw std::runtime_error(std::string("cannot load OpenGL's functions: ") +
                                  reinterpret_cast<const char*>(glewGetErrorString(status)));
     }
+    renderer = gl_string(GL_RENDERER);
 }
 
 // Not GLEW's own flags: with glewExperimental they say that there are pointers to the functions,
@@ -150,9 +157,21 @@ void check_memory(const char* what, double bytes)
     throw std::runtime_error(line);
 }
 
+// Of a context that is lost nothing can be asked, and calls do nothing: not even an error is there.
+void check_read_back(const char* what)
+{
+    const GLenum error = glGetError();
+    const bool lost = gl_string(GL_VERSION) == nullptr;
+    if (!lost && error == GL_NO_ERROR) return;
+    char line[160];
+    std::snprintf(line, sizeof line, "cannot read back %s: %s %04X (%s; try again)", what,
+                  lost ? "the context is lost, error" : "OpenGL error", error, renderer.c_str());
+    throw std::runtime_error(line);
+}
+
 std::string renderer_name()
 {
-    return gl_string(GL_RENDERER);
+    return renderer;
 }
 
 bool renders_in_software()

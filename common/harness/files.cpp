@@ -13,16 +13,11 @@
 #include <unistd.h>
 #endif
 
+#include "common/harness/process.hpp"
+
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path executable_folder()
-{
-    std::error_code error;
-    const fs::path executable = fs::read_symlink("/proc/self/exe", error);  // Linux; elsewhere the
-    return error ? fs::current_path() : executable.parent_path();           // current folder serves
-}
 
 // Is it no file that could be replaced, but a device, a pipe, or an open file by the name of its
 // descriptor (/dev/stdout)? Such a thing is written to where it is.

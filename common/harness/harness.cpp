@@ -16,7 +16,7 @@
 #include "common/harness/dump.hpp"
 #include "common/harness/recorder.hpp"
 #include "common/harness/tour.hpp"
-#include "common/harness/vsync.hpp"
+#include "common/harness/window_system.hpp"
 #include "common/window.hpp"
 
 Harness::Harness(CommandLine line) : command(std::move(line)), show_panel_(!command.reproducible())
@@ -90,7 +90,7 @@ void Harness::frame_shown()
     timer.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count());
     if (!measuring()) timer.keep(300);
     last_swap_ = now;
-    show_frame_time();
+    if (!command.reproducible()) show_frame_time();
 }
 
 bool Harness::events_are_due()
@@ -138,7 +138,7 @@ void Harness::show_frame_time()
     std::snprintf(title, sizeof title, "%s %s   %.2f ms a frame, %.0f fps",
                   command.lesson.name.c_str(), command.variant.c_str(),
                   1000 * seconds / double(frames), double(frames) / seconds);
-    glutSetWindowTitle(title);
+    set_title(title);
     last_title_ = now;
     drawn_at_last_title_ = drawn_;
 }

@@ -4,29 +4,14 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <fstream>
 #include <imgui.h>
 #include <imgui_impl_glut.h>
 #include <imgui_impl_opengl2.h>
-#ifndef _WIN32
-#include <unistd.h>
-#endif
 
 #include "common/harness/benchmark.hpp"
+#include "common/harness/process.hpp"
 
 namespace {
-
-// Memory that the process has in use, MiB; 0 where the system does not tell.
-double process_memory()
-{
-#ifdef _WIN32
-    return 0;
-#else
-    long pages = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> pages >> resident;
-    return double(resident) * double(sysconf(_SC_PAGESIZE)) / (1 << 20);
-#endif
-}
 
 // Free memory of the graphics card, MiB; 0 where the driver does not tell.
 int free_video_memory()

@@ -7,6 +7,7 @@
 #include <stb_image_write.h>
 #include <string>
 
+#include "common/gl_object.hpp"
 #include "common/harness/files.hpp"
 
 Picture read_back_buffer(glm::ivec2 size)
@@ -15,6 +16,7 @@ Picture read_back_buffer(glm::ivec2 size)
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadBuffer(GL_BACK);
     glReadPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
+    check_read_back("the picture");
     return picture;
 }
 

@@ -89,6 +89,7 @@ std::vector<GLuint> SnowCover::read() const
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, mass_);
     glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(mass.size() * sizeof(GLuint)),
                        mass.data());
+    check_read_back("the snow cover");
     return mass;
 }
 
@@ -100,6 +101,7 @@ void SnowCover::report(const std::filesystem::path& path) const
     Sums sums{};
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, sums_);
     glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof sums, &sums);
+    check_read_back("the snow cover's sums");
     std::cout << "cover: lying " << lying << " + melted " << sums.melted << " = deposited "
               << sums.deposited << std::endl;
 

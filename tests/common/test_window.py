@@ -2,6 +2,7 @@
 
 import csv
 import ctypes
+import os
 import re
 import signal
 import subprocess
@@ -11,7 +12,8 @@ import numpy
 import PIL.Image
 import pytest
 
-from conftest import PATIENCE, SMALL, STEPS, Flakes, small, wait_until, without_progress
+from conftest import (PATIENCE, SMALL, STEPS, STEP_VARIANTS, Flakes, fails_with_one_line, small,
+                      wait_until, without_progress)
 
 # Runs until it is closed, then leaves a dump: more frames than anyone waits for.
 FOREVER = ["--realtime", "--frames", 1000000000]
@@ -20,9 +22,10 @@ FOREVER = ["--realtime", "--frames", 1000000000]
 class OpenProgram:
     """A program that is running, and the hand on its window."""
 
-    def __init__(self, programs, folder, step, *arguments):
+    def __init__(self, programs, folder, step, *arguments, environment=None):
         self.step = step
         self.process = subprocess.Popen(programs.command(step, *arguments), cwd=folder, text=True,
+                                        env={**os.environ, **(environment or {})},
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.window = wait_until(self.search, "a window")
         self.wait_for_frames()
@@ -96,8 +99,8 @@ class OpenProgram:
 def open_program(programs, tmp_path):
     running = []
 
-    def open_program(step, *arguments):
-        running.append(OpenProgram(programs, tmp_path, step, *arguments))
+    def open_program(step, *arguments, **more):
+        running.append(OpenProgram(programs, tmp_path, step, *arguments, **more))
         return running[-1]
 
     yield open_program
@@ -173,8 +176,8 @@ def test_escape_ends_it_and_the_files_asked_for_are_there(open_program, tmp_path
 
 
 def test_a_closed_window_leaves_what_was_measured(open_program, tmp_path):
-    program = open_program("step02_vbo", *SMALL, "--benchmark", "--warmup", 0,
-                           "--frames", 1000000000, "--csv", "times.csv")
+    program = open_program("step02_vbo", *SMALL, *FOREVER, "--benchmark", "--warmup", 0,
+                           "--csv", "times.csv")
     program.press_close_button()
     out, err = program.process.communicate(timeout=PATIENCE)
     assert (program.process.returncode, err) == (0, "")
@@ -189,6 +192,37 @@ def test_close_button_ends_it_with_the_flakes_as_they_were(open_program, tmp_pat
     program.press_close_button()
     program.ends_well()
     assert Flakes(tmp_path / "flakes.csv").airborne.any()
+
+
+@pytest.mark.parametrize("step, variant", [pair for pair in STEP_VARIANTS if pair[0] >= "step04"])
+def test_a_context_that_is_lost_leaves_no_old_flakes(programs, tmp_path, step, variant):
+    """They were the GPU's, and it no longer answers: an error, and no file that looks like a result."""
+    result = programs.run(step, *small(step), "--variant", variant, "--particles", 100, "--frames", 9,
+                          "--dump", tmp_path / "flakes.csv", environment=programs.preloaded("lose_context"))
+    assert fails_with_one_line(result, 1, "cannot read back the flakes")
+    assert "ledger" not in result.stdout
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_context_that_is_lost_leaves_no_black_picture(programs, tmp_path):
+    """The times of the frames before are there, and what the CPU has computed."""
+    result = programs.run("step01_cpu_points", *SMALL, "--particles", 100, "--frames", 9,
+                          "--screenshot", tmp_path / "last.png", "--dump", tmp_path / "flakes.csv",
+                          "--csv", tmp_path / "times.csv",
+                          environment=programs.preloaded("lose_context"))
+    assert fails_with_one_line(result, 1, "cannot read back the picture")
+    assert len(Flakes(tmp_path / "flakes.csv").age) == 100
+    assert "llvmpipe" in (tmp_path / "times.csv").read_text()
+    assert not (tmp_path / "last.png").exists()
+
+
+def test_the_title_shows_the_frame_time_without_glut(programs, open_program):
+    """Whose way to change it ends the program where no window manager runs (freeglut 3.8)."""
+    program = open_program("step01_cpu_points", *SMALL, environment=programs.preloaded("no_title"))
+    program.wait_for_frames()
+    assert "ms a frame" in program.title()
+    program.press("Escape")
+    program.ends_well()
 
 
 @pytest.mark.parametrize("step", STEPS)
