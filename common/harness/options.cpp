@@ -71,6 +71,14 @@ glm::ivec2 parse_size(const std::string& text)
     return size;
 }
 
+// From its version 2.6 on CLI11 would fill the footer's lines anew, and run the table's together.
+template <typename Formatter>
+void keep_lines(Formatter& formatter)
+{
+    if constexpr (requires { formatter.enable_footer_formatting(false); })
+        formatter.enable_footer_formatting(false);
+}
+
 std::string not_empty(const std::string& text)
 {
     return text.empty() ? "must not be empty" : "";
@@ -235,6 +243,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                        "write the mass of lying snow, cell by cell, to this CSV file");
     }
     app.add_flag("--debug", command.debug, "OpenGL debug context, messages to stderr");
+    keep_lines(*app.get_formatter());
     app.footer(
         [&command] { return parameters_help(command) + "\n" + keys_help(command.parameters()); });
 

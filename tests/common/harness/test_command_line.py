@@ -1,5 +1,6 @@
 """Bad input, bad surroundings: one clear line on stderr, and a status that says whose fault."""
 
+import re
 import resource
 import signal
 
@@ -55,6 +56,7 @@ def test_help(programs, step):
     for option in ("--particles", "--variant", "--weather", "--seed", "--size", "--vsync",
                    "--frames", "--warmup", "--screenshot", "--dump", "--debug", "Escape"):
         assert option in result.stdout
+    assert re.search(r"^  gravity +-9.81 m/s2, .*\n  turbulence ", result.stdout, re.MULTILINE)  # a table
     assert ("--scene" in result.stdout) == ("--voxels" in result.stdout) == (step in WITH_SCENE)
 
 
