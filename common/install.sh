@@ -81,9 +81,14 @@ install_missing()
         wanted+=("${entries[@]}")
     done
 
+    if [[ $OSTYPE == darwin* ]]; then
+        say "macOS cannot run Snowfall: the README's table says why."
+        return 1
+    fi
     if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         say "This system has no apt-get. Please install by hand what these Debian packages hold" \
-            "(${wanted[*]%%|*}), then build and run without this script:" \
+            "(${wanted[*]%%|*}), or let vcpkg fetch the libraries (see the README)," \
+            "then build and run without this script:" \
             "cmake -B build && cmake --build build && build/step06_accumulation"
         return 1
     fi

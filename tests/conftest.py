@@ -11,6 +11,8 @@ import time
 import numpy
 import pytest
 
+import driver
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Every program with its variants, the default first.
@@ -43,13 +45,17 @@ def pytest_addoption(parser):
                      type=pathlib.Path, help="folder that holds the programs")
     parser.addoption("--new-references", action="store_true",
                      help="make what is drawn now the reference pictures")
+    parser.addoption("--driver", action="store_true",
+                     help="test the OpenGL that is there, not Mesa's in software")
 
 
 def pytest_configure(config):
     if not os.environ.get("DISPLAY"):
         pytest.exit("these tests open windows and DISPLAY is not set: use tests/run.sh", 1)
+    config.addinivalue_line("markers", "only_software(reason): of Mesa's llvmpipe, no other driver")
     # The reference pictures are Mesa's.
-    os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
+    if not driver.is_asked_for(config):
+        os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
     # Nothing may be written outside the build folder; and hundreds of programs need not compile the
     # same shaders again.
     os.environ["XDG_CACHE_HOME"] = str(config.getoption("build").resolve() / "tests" / "cache")
@@ -57,6 +63,21 @@ def pytest_configure(config):
     # An X server starts afresh when its last client leaves, in the face of the next program if that
     # is just coming in: so one client stays.
     ctypes.CDLL("libX11.so.6").XOpenDisplay(None)
+
+
+def pytest_collection_modifyitems(config, items):
+    driver.skip_what_only_software_promises(config, items)
+
+
+def pytest_runtest_logreport(report):
+    driver.note_outcome(report)
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    if driver.is_asked_for(config):
+        terminalreporter.section("to paste into an issue")
+        for line in driver.table(Programs(config, None).driver()):
+            terminalreporter.write_line(line)
 
 
 class Flakes:
@@ -78,9 +99,16 @@ class Flakes:
 class Programs:
     """Starts the programs of one build, always in `folder`, which is not theirs."""
 
-    def __init__(self, build, folder):
-        self.build = build
+    def __init__(self, config, folder):
+        self.config = config
+        self.build = config.getoption("build").resolve()
         self.folder = folder
+
+    def driver(self):
+        """What the first line of a program says of it: renderer and OpenGL."""
+        line = subprocess.run(self.command(STEPS[0], *SMALL, "--frames", 0), text=True, check=False,
+                              stdout=subprocess.PIPE).stdout.partition("\n")[0]
+        return ", ".join(line.partition(": ")[2].split(", ")[:-3])
 
     def preloaded(self, library):
         """The variables that load one of the tests' libraries into a program, after those loaded.
@@ -102,6 +130,7 @@ class Programs:
         result = subprocess.run(self.command(step, *arguments), env=variables, text=True,
                                 capture_output=True, timeout=PATIENCE,
                                 **{"cwd": self.folder, **more})
+        driver.skip_if_refused(self.config, result.returncode, result.stderr)
         result.stderr = without_progress(result.stderr)
         return result
 
@@ -130,11 +159,11 @@ class Programs:
 
 @pytest.fixture(scope="session")
 def programs(request, tmp_path_factory):
-    build = request.config.getoption("build").resolve()
-    missing = [step for step in STEPS if not (build / step).is_file()]
+    programs = Programs(request.config, tmp_path_factory.mktemp("runs"))
+    missing = [step for step in STEPS if not (programs.build / step).is_file()]
     if missing:
-        pytest.exit(f"{build} holds no {', '.join(missing)}: build first (tests/run.sh does)", 1)
-    return Programs(build, tmp_path_factory.mktemp("runs"))
+        pytest.exit(f"{programs.build} holds no {', '.join(missing)}: build first (tests/run.sh does)", 1)
+    return programs
 
 
 def without_progress(errors):

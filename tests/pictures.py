@@ -4,6 +4,7 @@ import numpy
 import PIL.Image
 import pytest
 
+import driver
 from conftest import ROOT
 
 REFERENCES = ROOT / "tests" / "reference"
@@ -30,6 +31,8 @@ def check_picture(request, programs, name, actual):
     assert actual.shape == expected.shape
     difference = abs(actual - expected)
     share = (difference.max(axis=2) > 24).mean()
+    if share > 0.01 and driver.is_asked_for(request.config):
+        pytest.skip(f"only llvmpipe promises the reference picture: {100 * share:.1f} % of the pixels differ")
     if share > 0.01:
         saved = programs.build / "pictures"
         saved.mkdir(exist_ok=True)

@@ -21,7 +21,7 @@ const char* gl_string(GLenum name)
     return reinterpret_cast<const char*>(glGetString(name));
 }
 
-std::string renderer;  // as it was while there was a context to ask
+std::string renderer_of_context;  // as it was while there was a context to ask
 
 volatile std::sig_atomic_t interrupt = 0;
 
@@ -91,7 +91,7 @@ void load_opengl()
         throw std::runtime_error(std::string("cannot load OpenGL's functions: ") +
                                  reinterpret_cast<const char*>(glewGetErrorString(status)));
     }
-    renderer = gl_string(GL_RENDERER);
+    renderer_of_context = gl_string(GL_RENDERER);
 }
 
 // Not GLEW's own flags: with glewExperimental they say that there are pointers to the functions,
@@ -164,14 +164,15 @@ void check_read_back(const char* what)
     const bool lost = gl_string(GL_VERSION) == nullptr;
     if (!lost && error == GL_NO_ERROR) return;
     char line[160];
-    std::snprintf(line, sizeof line, "cannot read back %s: %s %04X (%s; try again)", what,
-                  lost ? "the context is lost, error" : "OpenGL error", error, renderer.c_str());
+    std::snprintf(line, sizeof line, "cannot read back %s: %s 0x%04X (on %s)", what,
+                  lost ? "the context is lost, error" : "OpenGL error", error,
+                  renderer_of_context.c_str());
     throw std::runtime_error(line);
 }
 
 std::string renderer_name()
 {
-    return renderer;
+    return renderer_of_context;
 }
 
 bool renders_in_software()

@@ -42,6 +42,7 @@ def test_same_flakes_on_the_gpu(programs, step, variant, frames):
     assert (distance <= 0.001).mean() >= 0.999
 
 
+@pytest.mark.only_software("softpipe is Mesa's as well")
 @pytest.mark.parametrize("step, variant", [pair for pair in ON_GPU if pair[1] != "triangles"])
 def test_same_flakes_on_another_driver(programs, tmp_path, step, variant):
     """Mesa's softpipe, which interprets shaders and ends no loop of its own accord: as above."""

@@ -29,11 +29,11 @@ class Copy:
         script.write_text(f"#!{shutil.which('bash')}\n{does}\n")
         script.chmod(0o755)
 
-    def run(self, *arguments, cwd=None):
+    def run(self, *arguments, cwd=None, **environment):
         command = [self.root / "common" / "run.sh", *arguments]
         if os.geteuid() == 0:  # who may write everywhere, but for this
             command = [shutil.which("setpriv"), "--bounding-set=-dac_override", *command]
-        return subprocess.run(command, cwd=cwd or self.root, env={"PATH": str(self.commands)},
+        return subprocess.run(command, cwd=cwd or self.root, env={"PATH": str(self.commands), **environment},
                               text=True, capture_output=True)
 
 
@@ -51,6 +51,10 @@ def everything_installed(copy):
 
 def test_without_apt_it_says_what_to_install(copy):
     assert fails_with_one_line(copy.run("1"), 1, "no apt-get", "libglew-dev", "cmake --build build")
+
+
+def test_on_macos_it_says_that_it_cannot(copy):
+    assert fails_with_one_line(copy.run("1", OSTYPE="darwin23"), 1, "macOS", "README")
 
 
 def test_no_such_step(copy):

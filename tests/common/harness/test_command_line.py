@@ -60,6 +60,7 @@ def test_help(programs, step):
     assert ("--scene" in result.stdout) == ("--voxels" in result.stdout) == (step in WITH_SCENE)
 
 
+@pytest.mark.only_software("its name, and a warning that it is none of a graphics card")
 @pytest.mark.parametrize("step", STEPS)
 def test_first_line_says_what_runs_where(programs, step):
     first, warning, *_ = programs.run_well(step, *small(step), "--frames", 1).stdout.splitlines()
@@ -75,6 +76,7 @@ def test_no_display(programs, step, display):
     assert fails_with_one_line(result, CANNOT_RUN, "DISPLAY")
 
 
+@pytest.mark.only_software("it can be told to be an older OpenGL")
 @pytest.mark.parametrize("step, needed, offered", [
     ("step01_cpu_points", "1.5", "1.4"),
     ("step02_vbo", "1.5", "1.4"),

@@ -137,6 +137,7 @@ def test_escape_is_answered_however_many_steps_a_frame_makes(programs, step):
     assert process.returncode == 0
 
 
+@pytest.mark.only_software("memory that is the process's own, and so can be kept short")
 @pytest.mark.parametrize("step", ["step03_shader_points", "step04_transform_feedback", "step05_collision"])
 def test_memory_that_is_short(programs, step):
     """What is missing is said, and how much of it was needed; nothing is computed with what is not there."""

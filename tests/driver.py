@@ -1,0 +1,65 @@
+"""pytest --driver: the programs on the OpenGL and the display that are there, and a table of how they did."""
+
+import collections
+import re
+
+import pytest
+
+KINDS = {"dumps": r"test_one_snowfall", "ledgers": r"ledger|sums", "pictures": r"test_picture"}
+
+outcomes = collections.defaultdict(collections.Counter)  # of (step, kind): how many passed, failed ...
+refusals = {}  # what a step says that this OpenGL cannot run
+reasons = collections.Counter()  # for skipping
+
+
+def is_asked_for(config):
+    return config.getoption("driver")
+
+
+def skip_what_only_software_promises(config, items):
+    for item in items:
+        mark = item.get_closest_marker("only_software")
+        if mark and is_asked_for(config):
+            item.add_marker(pytest.mark.skip(reason=f"only of Mesa's llvmpipe: {mark.args[0]}"))
+
+
+def skip_if_refused(config, status, errors):
+    """A step that says that this OpenGL is not enough for it has done what it should."""
+    if is_asked_for(config) and status == 1 and "try an earlier step" in errors:
+        pytest.skip(errors.strip())
+
+
+def note_outcome(report):
+    if report.when != "call" and report.passed:
+        return
+    step = re.search(r"step0\d_[a-z_]*[a-z]", report.nodeid)
+    kind = next((kind for kind, tests in KINDS.items() if re.search(tests, report.nodeid)), "all else")
+    row = step[0] if step else "any step"
+    if not report.skipped:
+        outcomes[row, kind][report.outcome] += 1
+        return
+    reason = report.longrepr[2].removeprefix("Skipped: ")
+    if "try an earlier step" in reason:
+        refusals[row] = reason
+    else:
+        outcomes[row, kind]["differ" if "of the pixels differ" in reason else "skipped"] += 1
+        reasons[re.sub(r"\d.*", "...", reason)] += 1
+
+
+def cell(counts):
+    told = counts["passed"] + counts["failed"] + counts["differ"]
+    if told == 0:
+        return "-"
+    words = f"{counts['passed']} of {told}"
+    return words + (f", {counts['failed']} FAILED" if counts["failed"] else "")
+
+
+def table(driver):
+    """To be pasted into an issue."""
+    columns = [*KINDS, "all else"]
+    lines = [driver, "", f"| step | {' | '.join(columns)} |", "|---" * (len(columns) + 1) + "|"]
+    for row in sorted({row for row, _ in outcomes} | set(refusals)):
+        cells = [cell(outcomes[row, kind]) for kind in columns]
+        lines.append(f"| {row} | {' | '.join(cells)} |")
+    lines += ["", *[f"- {refusal}" for refusal in refusals.values()]]
+    return lines + [f"- {count} skipped: {reason}" for reason, count in reasons.most_common()]

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+#
+# Does Snowfall build elsewhere than where it was written? Without optimisation, and without a
+# warning.
+#
+#     tests/portability/build.sh clang | no-tests | vcpkg | mingw
+#
+# clang: with Clang.
+# no-tests: where what the tests need is missing.
+# vcpkg: with stb and ImGui as vcpkg lays them out, beside Debian's own packages.
+# mingw: every source for Windows, as far as that needs no library: it is read, not linked.
+#
+# Everything comes from Debian's packages, nothing from the network. What it builds lies in $TMPDIR,
+# or /tmp, and is removed. Exit status 77, after one line that says why, where it cannot be tried.
+
+set -euo pipefail
+
+root=$(readlink -f -- "$(dirname "$0")/../..")
+
+say() { printf '%s\n' "$*" >&2; }
+skip() { say "Skipped: $*"; exit 77; }
+need() { command -v "$1" >/dev/null || skip "$1 is missing (Debian's package $2)."; }
+
+folder=$(mktemp -d -- "${TMPDIR:-/tmp}/build.XXXXXX")
+trap 'rm -rf -- "$folder"' EXIT
+
+configure()
+{
+    cmake -S "$root" -B "$folder/build" -DCMAKE_BUILD_TYPE=Debug -DSNOWFALL_NATIVE=OFF \
+        -DCMAKE_CXX_FLAGS=-Werror "$@"
+}
+
+build() { cmake --build "$folder/build" --parallel "$(nproc)" "$@"; }
+
+with_clang()
+{
+    need clang++ clang
+    configure -DCMAKE_CXX_COMPILER=clang++ -DSNOWFALL_TESTS=OFF
+    build
+}
+
+with_no_tests()
+{
+    configure -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON | tee "$folder/log"
+    grep "No tests are built" "$folder/log"
+    build --target help >"$folder/targets"
+    grep step06_accumulation "$folder/targets"
+    if grep unit_tests "$folder/targets"; then return 1; fi
+}
+
+# Headers lie flat there, and ImGui is a package of CMake's. Debian's own are there as well, of which
+# nothing may be mixed in.
+with_vcpkg()
+{
+    local prefix=$folder/installed headers=/usr/include/imgui library
+    library=$(find /usr/lib -name libimgui.a | head -n 1)
+    [[ -n $library ]] || skip "ImGui is missing (Debian's package libimgui-dev)."
+    mkdir -p "$prefix"/{include,lib,share/imgui}
+    cp "$headers"/im*.h "$headers"/backends/imgui_impl_{glut,opengl2}.h \
+        /usr/include/stb/stb_image{,_write}.h "$prefix/include"
+    cp "$library" "$prefix/lib"
+    # vcpkg's needs no other library; this one, Debian's, takes stb from one.
+    cat >"$prefix/share/imgui/imgui-config.cmake" <<'END'
+add_library(imgui::imgui STATIC IMPORTED)
+set_target_properties(imgui::imgui PROPERTIES
+    IMPORTED_LOCATION ${CMAKE_CURRENT_LIST_DIR}/../../lib/libimgui.a
+    INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../../include
+    INTERFACE_LINK_LIBRARIES stb)
+END
+    configure -DCMAKE_PREFIX_PATH="$prefix" -DSNOWFALL_TESTS=OFF \
+        -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+    if grep -oE "/usr/include/(imgui|stb)[^ \"]*" "$folder/build/compile_commands.json"; then
+        say "Headers of Debian's own ImGui or stb are mixed with vcpkg's."
+        return 1
+    fi
+    build --target step03_shader_points
+}
+
+with_mingw()
+{
+    local compiler=x86_64-w64-mingw32-g++ headers=$folder/include status=0
+    need $compiler g++-mingw-w64-x86-64
+    mkdir -p "$headers/GL"
+    ln -s /usr/include/GL/{glew,wglew,freeglut,freeglut_std,freeglut_ext,glut}.h "$headers/GL"
+    ln -s /usr/include/{glm,CLI} /usr/include/imgui/im*.h /usr/include/imgui/backends/imgui_impl_*.h \
+        /usr/include/stb/stb_image{,_write}.h "$headers"
+    find "$root"/common "$root"/step* -name '*.cpp' -print0 |
+        xargs -0 -P "$(nproc)" -n 1 $compiler -fsyntax-only -std=c++20 -Wall -Wextra -Wpedantic \
+            -Wshadow -Werror -DSNOWFALL_SOURCE_DIR='""' -I "$root" -isystem "$headers" || status=$?
+    return $status
+}
+
+case ${1:-} in
+    clang | no-tests | vcpkg | mingw) "with_${1//-/_}" ;;
+    *) sed -n '/^#     /s/^# */Usage: /p' "$0" >&2; exit 2 ;;
+esac
