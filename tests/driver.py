@@ -51,7 +51,9 @@ def cell(counts):
     if told == 0:
         return "-"
     words = f"{counts['passed']} of {told}"
-    return words + (f", {counts['failed']} FAILED" if counts["failed"] else "")
+    for outcome, word in ("differ", "differ"), ("failed", "FAILED"):
+        words += f", {counts[outcome]} {word}" if counts[outcome] else ""
+    return words
 
 
 def table(driver):
