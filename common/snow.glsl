@@ -36,10 +36,10 @@ struct Weather {
     vec3 world_min;    // m, corner of the box outside which a flake is lost
     float time_step;   // s
     vec3 world_max;    // m
-    float lifetime;    // s in the air, mean
+    float lifetime;    // s in the air, mean; most reach the ground before
     uint particles;    // in the pool: the first half is of emitter 0, the rest of emitter 1
     uint seed;
-    float variation;    // relative spread of speed, diameter and lifetime from flake to flake
+    float variation;    // relative spread of speed and diameter from flake to flake
     float snowfall;     // m of depth a minute that lie on open ground, where snow accumulates
     float temperature;  // degrees Celsius; above 0 the snow that lies melts
     float repose;       // degrees, the steepest slope on which snow lies (its angle of repose)
@@ -72,8 +72,7 @@ SNOW_INLINE float random_unit(uint index, uint tick, uint stream, SNOW_IN(Weathe
 
 // ---- What a flake is, all its life: functions of its index alone.
 
-// 1 give or take the variation; one number for speed, diameter and lifetime: large flakes fall
-// faster.
+// 1 give or take the variation; one number for speed and diameter: large flakes fall faster.
 SNOW_INLINE float individuality(uint index, SNOW_IN(Weather) weather)
 {
     return 1.0f + weather.variation * (2.0f * random_unit(index, 0u, 0u, weather) - 1.0f);
@@ -96,6 +95,22 @@ SNOW_INLINE float diameter(uint index, SNOW_IN(Weather) weather)  // m
     float mean = of_first_emitter(index, weather) ? weather.emitters[0].diameter
                                                   : weather.emitters[1].diameter;
     return mean * individuality(index, weather);
+}
+
+// How long it lives in the air if it does not come down before: then it has sublimated, turned to
+// vapour on its way. It takes a flake of the mean lifetime far longer than the way down, but
+// lifetimes differ by nearly all of the mean, so some flakes never land.
+const float lifetime_spread = 0.9f;  // relative
+SNOW_INLINE float lifetime(uint index, SNOW_IN(Weather) weather)  // s
+{
+    float spread = lifetime_spread * (2.0f * random_unit(index, 0u, 6u, weather) - 1.0f);
+    return weather.lifetime * (1.0f + spread);
+}
+
+// The part of all flakes that lives longer than that many seconds.
+SNOW_INLINE float part_alive(float seconds, SNOW_IN(Weather) weather)
+{
+    return clamp(0.5f + (1.0f - seconds / weather.lifetime) / (2.0f * lifetime_spread), 0.0f, 1.0f);
 }
 
 // ---- Birth.
@@ -121,16 +136,22 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
 }
 
 // Before its first birth a flake waits, out of sight above the world, at a negative age: a random
-// part of one cycle of falling and lying. So births are spread evenly from the first second on,
-// without the burst and the gap that a common start gives (Patrick 2000, 4.2.2).
+// part of the cycle from one birth to the next, or all flakes would come in a burst, be gone
+// together and leave a gap; and a random part of half the way down, or the first of them would be a
+// front with all the snow right behind it. So the births of a second grow more and more, in
+// proportion to the time, and then stay as many (Patrick 2000, 4.2.2.2: start thin): the rate is
+// what two even distributions of waiting times make together.
 SNOW_INLINE Particle unborn(uint index, SNOW_IN(Weather) weather)
 {
     float height = of_first_emitter(index, weather) ? weather.emitters[0].centre.y
                                                     : weather.emitters[1].centre.y;
-    float cycle = height / terminal_speed(index, weather) + weather.melt_time;
+    float fall = height / terminal_speed(index, weather);
+    float life = lifetime(index, weather);
+    float cycle = life < fall ? life : fall + weather.melt_time;
     Particle p;
     p.position = vec3(0.0f, weather.world_max.y + 1000.0f, 0.0f);
-    p.age = -cycle * random_unit(index, 0u, 4u, weather);
+    p.age = -cycle * random_unit(index, 0u, 4u, weather) -
+            0.5f * fall * random_unit(index, 0u, 7u, weather);
     p.velocity = vec3(0.0f);
     p.rest = 0.0f;
     return p;
@@ -218,8 +239,7 @@ SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
     float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
     float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
     float z = min(p.position.z - weather.world_min.z, weather.world_max.z - p.position.z);
-    float lifetime = weather.lifetime * individuality(index, weather);
-    return min(lifetime - (p.age - p.rest), min(x, min(y, z)));
+    return min(lifetime(index, weather) - (p.age - p.rest), min(x, min(y, z)));
 }
 
 SNOW_INLINE bool gone(Particle p, uint index, SNOW_IN(Weather) weather)

@@ -278,10 +278,9 @@ def report(experiment, lines, results, notes, settings, chart):
              f"repeats: {settings.repeats}"
              + (", interleaved" if settings.repeats > 1 else " (which may differ by chance)")
              + f"; {datetime.date.today():%d %B %Y}"]
-    density = (settings.warmup + settings.frames / 2) / STEADY
-    if density < 1:
-        text.append(f"- The snowfall was still building up: {100 * density:.0f} % of the flakes "
-                    f"had been released (all are after {STEADY} frames).")
+    if settings.warmup + settings.frames / 2 < STEADY:
+        text.append(f"- The snowfall was still building up: not all flakes had been released (they "
+                    f"are after {STEADY} frames).")
     text += [f"- Not as planned: {note}" for note in notes]
     if experiment.source:
         text += ["", f"**The source:** {experiment.source}", "",

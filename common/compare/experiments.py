@@ -13,9 +13,10 @@ from typing import Callable, NamedTuple, Tuple
 
 FRAMES = 120  # that count in each run, unless an experiment needs fewer
 # Flakes of the preset snow fall for 8 s and lie for 4 s, and their first births are spread over
-# those 12 s. Only then is the snowfall as dense as it will be, and its frames as slow.
-CYCLE = 12                 # s
-STEADY = 60 * CYCLE        # frames of 1/60 s
+# those 12 s and the 4 s in which the snowfall thickens. Only then is it as dense as it will be, and
+# its frames as slow.
+CYCLE = 60 * 12            # frames of 1/60 s
+STEADY = CYCLE + 60 * 4    # frames
 
 
 @dataclass(frozen=True)
@@ -163,7 +164,7 @@ def point_sizes(_here):
 
 def release_rates(_here):
     # As many a frame as she released, and then some for a machine of today.
-    return [Run("step02_vbo", rate * STEADY, "step 2", rate) for rate in (1, 2, 5, 10, 20, 100)]
+    return [Run("step02_vbo", rate * CYCLE, "step 2", rate) for rate in (1, 2, 5, 10, 20, 100)]
 
 
 def groups(_here):

@@ -229,7 +229,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         ->check(CLI::Range(1u, 1000u));
     app.add_flag(
            "--benchmark", command.benchmark,
-           "measure: panel hidden, 720 frames of warm-up (until all snow is out), 300 counted")
+           "measure: panel hidden, 960 frames of warm-up (until all snow is out), 300 counted")
         ->excludes(vsync);
     app.add_option("--csv", command.csv, "write the times of every frame to this file");
     app.add_flag("--realtime", command.realtime,
@@ -274,7 +274,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         if (!output.empty()) check_writable(output);
     }
     if (!command.record.empty()) check_record_folder(command.record);
-    if (command.benchmark && app.count("--warmup") == 0) command.warmup = 720;
+    if (command.benchmark && app.count("--warmup") == 0) command.warmup = 960;
     // What is to be written after the last frame needs a last frame.
     if (!command.frames && (command.reproducible() || command.benchmark)) command.frames = 300;
     return command;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -16,12 +17,13 @@ struct Sums {  // as snow_cover.glsl has them: little-endian, the low word first
     GLuint64 deposited, melted;
 };
 
-// s from a flake's birth until it is part of the cover: it falls, may bounce, and lies. Found
-// by letting one fall, without what makes flakes differ.
-double cycle(snow::Weather weather, snow::uint emitter)
+// s from a flake's birth until it comes to lie: it falls, and may bounce. Found by letting one fall,
+// without what makes flakes differ or takes them out of the air.
+double time_in_air(snow::Weather weather, snow::uint emitter)
 {
     weather.particles = 2;
     weather.variation = weather.turbulence = 0;
+    weather.lifetime = std::numeric_limits<float>::max();
     snow::Particle flake = snow::born(emitter, 0, weather);
     flake.position.y = weather.emitters[emitter].centre.y;
     snow::uint tick = 0;
@@ -29,7 +31,7 @@ double cycle(snow::Weather weather, snow::uint emitter)
         flake = snow::settle(snow::move(flake, weather), weather);
         flake = snow::accelerate(flake, weather.wind, emitter, tick, weather);
     }
-    return double(tick) * weather.time_step + weather.melt_time;
+    return double(tick) * weather.time_step;
 }
 
 }  // namespace
@@ -65,14 +67,17 @@ void SnowCover::bind() const
 
 float SnowCover::flake_mass(const snow::Weather& weather)
 {
-    // To find the cycle flakes are let fall, which takes a while: not anew in every frame.
+    // To find the time in the air flakes are let fall, which takes a while: not anew in every frame.
     if (weather_ && std::memcmp(&*weather_, &weather, sizeof weather) == 0) return flake_mass_;
     weather_ = weather;
     double volume = 0;  // m3 a second, of the cubes around the flakes that come to lie
     for (const snow::uint emitter : {0u, 1u}) {
         const double d = weather.emitters[emitter].diameter, v = weather.variation;
         const double mean = d * d * d * (1 + v * v);  // of the cubes of d (1 - v) to d (1 + v)
-        volume += 0.5 * weather.particles * mean / cycle(weather, emitter);
+        const double air = time_in_air(weather, emitter);
+        // Those that do not live that long never lie; those that do lie once in every cycle.
+        volume += 0.5 * weather.particles * mean * snow::part_alive(float(air), weather) /
+                  (air + weather.melt_time);
     }
     const snow::Emitter& cloud = weather.emitters[0];
     const double area = 4.0 * cloud.half_size.x * cloud.half_size.z;  // m2

@@ -95,7 +95,7 @@ def test_gpu_agrees_with_the_cpu_and_with_the_grid(programs, walk, weather):
 
 def snow_on(scene, variant, *arguments):
     return [STEP, "--scene", scene, "--variant", variant, "--voxels", 256, "--particles", 6000,
-            "--frames", 720, *arguments]
+            "--frames", 960, *arguments]
 
 
 @pytest.mark.parametrize("name", ["TABLE", "WALL"])
@@ -133,7 +133,7 @@ def test_no_snow_under_a_table_but_below_its_gap(programs, scene, variant):
 def test_no_flake_slides_below_the_ground(programs, scene, name, variant):
     """In wind that blows under the roof, down along which flakes slide."""
     flakes = programs.flakes(STEP, "--scene", scene(name), "--variant", variant, "--voxels", 64,
-                             "--particles", 4000, "--timelapse", 811, "--frames", 1,
+                             "--particles", 4000, "--timelapse", 1000, "--frames", 1,
                              "--set", "wind_z=-6", "--set", "turbulence=20")
     assert (flakes.rest > 0).sum() > 200
     assert (flakes.position[:, 1] >= 0).all()
@@ -175,7 +175,7 @@ def test_courtyard_has_dry_places(programs):
 @pytest.mark.parametrize("variant", ["voxels", "triangles"])
 @pytest.mark.parametrize("weather", ["snow", "rain", "hail"])
 def test_ledger_balances(programs, scene, weather, variant):
-    result = programs.run_well(STEP, *small(STEP), "--scene", scene("TABLE"), "--frames", 900,
+    result = programs.run_well(STEP, *small(STEP), "--scene", scene("TABLE"), "--frames", 1100,
                                "--particles", 2000, "--weather", weather, "--variant", variant)
     entries = ledger(result.stdout)
     assert entries["released"] == sum(entries.values()) - entries["released"]

@@ -79,13 +79,14 @@ def test_depth_of_snow_does_not_depend_on_the_number_of_flakes(accumulate):
     """What falls on open ground in a minute is as deep as the weather says."""
     for particles in (2000, 8000):
         _, cover, _ = accumulate(scenes.text(scenes.FLOOR, scenes.box((-1, 0, -1), (1, 1, 1))),
-                                 "--particles", particles, "--frames", 900, "--voxels", 64,
+                                 "--particles", particles, "--frames", 1140, "--voxels", 64,
                                  "--set", "snowfall=1", "--set", "melt_time=0.5")
         x, _, z = cover.place.T
         ring = (abs(x) < 7) & (abs(z) < 7) & ((abs(x) > 2) | (abs(z) > 2))
         depth = (cover.depth[ring].sum() * cover.cell ** 2) / (14 ** 2 - 4 ** 2)
-        # It falls for 15 s less the way down, of up to 9 s: 6 to 15 s at 1 m in 60 s. The cloud is
-        # as wide as the floor, so near its edges turbulence carries a little away.
+        # It falls for 19 s, less the 4 s in which it thickens and the way down, of up to 9 s: 6 to
+        # 15 s at 1 m in 60 s. The cloud is as wide as the floor, so near its edges turbulence
+        # carries a little away.
         assert 0.9 * 6 / 60 < depth < 15 / 60
 
 
@@ -126,7 +127,7 @@ def test_no_snow_under_the_roof_of_the_arcade(accumulate):
 def test_wind_clears_the_foot_of_a_wall_and_drifts_snow_behind_it(accumulate, wind):
     """It carries flakes over the foot, until they come down in the calm: against no wall, in m."""
     def snow(scene, *ranges):
-        _, cover, _ = accumulate(scene, "--particles", 8000, "--frames", 14, "--timelapse", 100,
+        _, cover, _ = accumulate(scene, "--particles", 8000, "--frames", 18, "--timelapse", 100,
                                  "--voxels", 64, "--set", "melt_time=1", "--set", f"wind_x={wind}")
         x, y, z = cover.place.T
         behind = numpy.sign(wind) * x
