@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "common/window.hpp"
+#include "step01_cpu_points/ground.hpp"
 #include "step01_cpu_points/update.hpp"
 
 using namespace snow;
@@ -33,6 +34,7 @@ void run_hexagons(Window& window)
     while (window.begin_frame()) {
         glViewport(0, 0, window.size().x, window.size().y);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        draw_ground(window);
         {
             const auto stage = window.stage("update");
             while (window.next_tick()) update_in_one_loop(flakes, tick++, weather);

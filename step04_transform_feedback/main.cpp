@@ -9,6 +9,7 @@
 #include "common/program.hpp"
 #include "common/uniform_block.hpp"
 #include "common/window.hpp"
+#include "step01_cpu_points/ground.hpp"
 #include "step03_shader_points/particle_layout.hpp"
 
 using namespace snow;
@@ -47,6 +48,7 @@ void run(Window& window)
     while (window.begin_frame()) {
         glViewport(0, 0, window.size().x, window.size().y);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        draw_ground(window);
         weather_block.update(WEATHER_BLOCK, weather);
         {
             const auto stage = window.stage("update");
