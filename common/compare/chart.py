@@ -28,7 +28,7 @@ STAGE_COLOURS = {
 OTHER_STAGE_COLOURS = ("#F4C7A0", "#AAAA00", "#8FD0B0", "#E0A0A0", "#B0B8F0")
 
 
-def draw_chart(path, experiment, lines, machine):
+def draw_chart(file, experiment, lines, machine):
     """Writes the chart as PNG. `lines` is {line: {x: Point}}; `machine` says what was measured."""
     pyplot.rcParams.update({"font.size": 17, "axes.spines.top": False, "axes.spines.right": False,
                             "axes.titlelocation": "left", "axes.titlesize": 19})
@@ -41,7 +41,7 @@ def draw_chart(path, experiment, lines, machine):
     figure.supxlabel(machine, fontsize=14, color="#444444", x=0.01, ha="left")
     for draw, panel in zip(panels, axes[0]):
         draw(panel, experiment, lines)
-    figure.savefig(path, dpi=120)
+    figure.savefig(file, format="png", dpi=120)
     pyplot.close(figure)
 
 

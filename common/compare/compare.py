@@ -17,15 +17,18 @@ Writes three files into --out, named compare or after the experiment:
 
 Repeats are interleaved: everything runs once, then everything again, so that a machine that slows
 down as it warms up slows all alike. A program that fails or hangs is reported and the rest go on;
-Ctrl-C ends the measuring, and what was measured is written.
+Ctrl-C, SIGTERM and SIGHUP end the measuring, and what was measured is written. A second one ends
+it at once.
 
 Exit status: 0 if anything was measured (what failed is listed), 1 if nothing was or the files
-cannot be written, 2 for a wrong command line, 130 after Ctrl-C.
+cannot be written, 2 for a wrong command line, 128 and the signal's number after a signal.
 """
 
 import argparse
+import contextlib
 import csv
 import datetime
+import io
 import math
 import os
 import platform
@@ -50,11 +53,23 @@ except ImportError:
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 STEPS = {int(folder.name[4:6]): folder.name for folder in sorted(ROOT.glob("step[0-9][0-9]_*"))}
+ENDING = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+UMASK = os.umask(0)  # there is no other way to ask for it
+os.umask(UMASK)
 REMEDY = "build with common/run.sh, or: cmake -B build && cmake --build build"
 
 
 class Failed(Exception):
     """A run that gave nothing to compare; says why."""
+
+
+class Ended(BaseException):
+    """A signal that asks for an end. subprocess kills what it is running when this passes it."""
+
+    def __init__(self, number):
+        super().__init__(number)
+        self.status = 128 + number
+        self.name = "Ctrl-C" if number == signal.SIGINT else signal.Signals(number).name
 
 
 @dataclass
@@ -110,23 +125,23 @@ def read_csv(path, run, repeat):
                     match = re.fullmatch(r"(\w+)_(cpu|gpu)_ms", name)
                     if match and value:
                         times[row["timing"]][match[2]][match[1]].append(float(value))
+        if not frames or not min(frames) > 0:
+            raise Failed("its CSV holds no frame times")
+        variant, renderer, size = row["variant"], row["renderer"], f"{row['width']}x{row['height']}"
     except KeyError as error:
         raise Failed(f"malformed CSV: no column or timing {error}") from error
     except (ValueError, csv.Error) as error:
         raise Failed(f"malformed CSV, line {rows.line_num}: {error}") from error
     except OSError as error:
         raise Failed(f"no CSV: {error.strerror}") from error
-    if not frames or not min(frames) > 0:
-        raise Failed("its CSV holds no frame times")
     stages = {clock: times for clock, times in times["query"].items() if times}
     if times["finish"]["gpu"]:  # from one glFinish to the next, the CPU's part of it included
         # That pass is part of the warm-up: its last frames are most like those that count.
         stages = {"finish": {stage: values[-len(frames):]
                              for stage, values in times["finish"]["gpu"].items()}}
-    elif is_software(row["renderer"]):
+    elif is_software(renderer):
         stages = {}  # such a renderer's queries mislead
-    return Measured(run, repeat, row["variant"], f"{row['width']}x{row['height']}",
-                    row["renderer"], frames, stages)
+    return Measured(run, repeat, variant, size, renderer, frames, stages)
 
 
 def measure(run, repeat, size, settings):
@@ -175,9 +190,9 @@ def progress(todo):
 
 
 def measure_all(runs, experiment, settings):
-    """All that could be measured, what went wrong as [text], and whether Ctrl-C ended it early."""
+    """All that could be measured, what went wrong as [text], and the exit status so far."""
     todo = [(repeat, run) for repeat in range(settings.repeats) for run in runs]
-    results, notes, failed, interrupted = [], [], set(), False
+    results, notes, failed, status = [], [], set(), 0
     try:
         for repeat, run in progress(todo):
             if run in failed:  # what failed once is not tried again
@@ -197,10 +212,10 @@ def measure_all(runs, experiment, settings):
                 words = (run.step, run.variant, options_text(run), f"at {run.particles:,} flakes")
                 notes.append(" ".join(filter(None, words)) + f" {problem}")
                 (tqdm.write if tqdm else print)(notes[-1], file=sys.stderr)
-    except KeyboardInterrupt:
-        interrupted = True
-        notes.append(f"ended by Ctrl-C after {len(results)} of {len(todo)} runs")
-    return results, list(dict.fromkeys(notes)), interrupted
+    except Ended as end:
+        status = end.status
+        notes.append(f"ended by {end.name} after {len(results)} of {len(todo)} runs")
+    return results, list(dict.fromkeys(notes)), status
 
 
 def gather(results):
@@ -226,21 +241,37 @@ def gather(results):
 
 # ---- Writing.
 
-def write_csv(path, experiment, results):
+def write_whole(path, content):
+    """Writes the bytes `content` to the file, or leaves what was there as it was."""
+    part = None
+    try:
+        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=path.name, delete=False) as file:
+            part = Path(file.name)
+            file.write(content)
+        part.chmod(0o666 & ~UMASK)  # as any new file; a temporary one is its owner's alone
+        part.replace(path)
+    except OSError as error:
+        if part:
+            part.unlink(missing_ok=True)
+        raise OSError(error.errno, error.strerror, str(path)) from error  # a full disk names no file
+
+
+def as_csv(experiment, results):
     """The tidy table, see the top of this file."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow("experiment,line,x,step,variant,options,particles,width,height,renderer,"
-                        "repeat,stage,clock,frames,median_ms,p95_ms".split(","))
-        for result in results:
-            run = result.run
-            for clock, stages in {"swap": {"frame": result.frames}, **result.stages}.items():
-                for stage, times in stages.items():
-                    writer.writerow([
-                        experiment.name, run.line, run.x, run.step, result.variant,
-                        options_text(run), run.particles, *result.size.split("x"),
-                        result.renderer, result.repeat, stage, clock, len(times),
-                        f"{statistics.median(times):.4f}", f"{percentile_95(times):.4f}"])
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow("experiment,line,x,step,variant,options,particles,width,height,renderer,"
+                    "repeat,stage,clock,frames,median_ms,p95_ms".split(","))
+    for result in results:
+        run = result.run
+        for clock, stages in {"swap": {"frame": result.frames}, **result.stages}.items():
+            for stage, times in stages.items():
+                writer.writerow([
+                    experiment.name, run.line, run.x, run.step, result.variant,
+                    options_text(run), run.particles, *result.size.split("x"),
+                    result.renderer, result.repeat, stage, clock, len(times),
+                    f"{statistics.median(times):.4f}", f"{percentile_95(times):.4f}"])
+    return text.getvalue()
 
 
 def processor():
@@ -395,7 +426,35 @@ def renderer_here(settings):
     return ""
 
 
+def on_signal(number, _):
+    """The first asks for an end, the next one ends it at once."""
+    for name in ENDING:
+        signal.signal(name, signal.SIG_DFL)
+    raise Ended(number)
+
+
+@contextlib.contextmanager
+def display():
+    """Sees to it that there is a display: one in memory, as large as the largest window, if need be."""
+    if sys.platform != "linux" or os.environ.get("DISPLAY") or not shutil.which("Xvfb"):
+        yield
+        return
+    # Xvfb chooses a number that is free, and writes it once it can be connected to. In a session of
+    # its own it does not hear the terminal's Ctrl-C: it is needed to the end.
+    with subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "2560x1440x24", "+extension",
+                           "GLX", "-noreset", "-nolisten", "tcp"], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, start_new_session=True, text=True) as server:
+        try:
+            os.environ["DISPLAY"] = ":" + server.stdout.readline().strip()
+            yield
+        finally:
+            server.terminate()
+
+
 def main():
+    for name in ENDING:
+        if signal.getsignal(name) != signal.SIG_IGN:  # as nohup has it
+            signal.signal(name, on_signal)
     settings = parse_arguments()
     if settings.list:
         for experiment in EXPERIMENTS.values():
@@ -404,15 +463,12 @@ def main():
     settings.build = settings.build.resolve()
     if not any(shutil.which(name, path=str(settings.build)) for name in STEPS.values()):
         sys.exit(f"compare.py: {settings.build} holds none of the programs: {REMEDY}")
-    if sys.platform == "linux" and not os.environ.get("DISPLAY") and shutil.which("xvfb-run"):
-        # The same once more, with a display in memory as large as the largest window.
-        os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 2560x1440x24 +extension GLX",
-                               sys.executable, *sys.argv])
     try:
         settings.out.mkdir(parents=True, exist_ok=True)
-        return compare(settings)
-    except KeyboardInterrupt:  # before the first measurement or after the last
-        return 130
+        with display():
+            return compare(settings)
+    except Ended as end:  # before the first measurement or after the last
+        return end.status
     except OSError as error:
         sys.exit(f"compare.py: cannot write {error.filename}: {error.strerror}")
 
@@ -429,27 +485,30 @@ def compare(settings):
     with tempfile.TemporaryDirectory() as folder:
         counts = settings.counts or (experiment.counts and experiment.counts[software])
         runs = experiment.runs(Here(settings.build, software, counts, Path(folder)))
-        results, notes, interrupted = measure_all(runs, experiment, settings)
+        results, notes, status = measure_all(runs, experiment, settings)
     if not results:
-        sys.exit("compare.py: nothing was measured, so nothing is written")
+        print("compare.py: nothing was measured, so nothing is written", file=sys.stderr)
+        return status or 1
 
     lines = gather(results)
     paths = [settings.out / (experiment.name + suffix) for suffix in (".csv", ".png", ".md")]
-    write_csv(paths[0], experiment, results)
+    write_whole(paths[0], as_csv(experiment, results).encode())
     try:
         from chart import draw_chart  # which takes a second, too long for --list
-        draw_chart(paths[1], experiment, lines, machine(results))
+        picture = io.BytesIO()
+        draw_chart(picture, experiment, lines, machine(results))
+        write_whole(paths[1], picture.getvalue())
     except ImportError:
         print("compare.py: without matplotlib there is no chart (python3-matplotlib)",
               file=sys.stderr)
         del paths[1]
     has_chart = len(paths) == 3
-    paths[-1].write_text(report(experiment, lines, results, notes, settings, has_chart),
-                         encoding="utf-8")
+    write_whole(paths[-1],
+                report(experiment, lines, results, notes, settings, has_chart).encode())
     print(*paths, sep="\n")
     if experiment.source:
         print(f"The source: {experiment.source}\nHere: {experiment.conclusion(lines)}")
-    return 130 if interrupted else 0
+    return status
 
 
 if __name__ == "__main__":

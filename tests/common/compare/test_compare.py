@@ -49,6 +49,9 @@ frame_ms = step * (1 + int(options.particles)) / 1000 - 4 * (options.set == "fog
 known = (f"{me.name},{options.variant or 'plain'},{options.particles},{width},{height},"
          f'"{renderer}"')
 with open(options.csv, "w") as file:
+    if does == "no renderer":
+        file.write("timing,frame_ms\nquery,1\n")
+        sys.exit()
     file.write("step,variant,particles,width,height,renderer,frame,frame_ms,timing,"
                "update_cpu_ms,update_gpu_ms,draw_cpu_ms,draw_gpu_ms\n")
     if does == "empty":
@@ -199,6 +202,7 @@ def test_variants_come_on_top(fakes, no_chart):
     ("malformed", "failed: malformed CSV, line 6"),
     ("words", "failed: malformed CSV, line 6"),
     ("columns", "failed: malformed CSV: no column or timing 'clock'"),
+    ("no renderer", "failed: malformed CSV: no column or timing 'variant'"),
     ("empty", "failed: its CSV holds no frame times"),
     ("hang", "failed: stopped after 5 s"),
 ])
@@ -267,21 +271,58 @@ def test_without_a_module(fakes, without, module, left, says):
     assert ("compare.png" in text) == ("compare.png" in left)
 
 
-def test_ctrl_c_keeps_what_was_measured(fakes):
+@pytest.mark.parametrize("number, name", [(signal.SIGINT, "Ctrl-C"), (signal.SIGTERM, "SIGTERM"),
+                                          (signal.SIGHUP, "SIGHUP")])
+def test_a_signal_keeps_what_was_measured(fakes, number, name):
+    """And leaves nothing running: neither the program that is being measured nor a display."""
     (fakes / "step02_vbo.does").write_text("hang")
-    process = start(fakes, ["--steps", "1,2,3", "--counts", 10])
+    process = start(fakes, ["--steps", "1,2,3", "--counts", 10], environment={"DISPLAY": ""})
     patience_ends = time.monotonic() + PATIENCE
     while not (fakes / "hanging").exists():  # the first is done, the second will never be
         assert process.poll() is None and time.monotonic() < patience_ends
         time.sleep(0.01)
-    process.send_signal(signal.SIGINT)
+    children = descendants(process.pid)
+    assert len(children) == 2  # the program, and Xvfb
+    process.send_signal(number)
     _, said = process.communicate(timeout=PATIENCE)
-    assert process.returncode == 130
+    assert process.returncode == 128 + number
     assert "Traceback" not in said
+    assert not any(pathlib.Path(f"/proc/{child}").exists() for child in children)
     assert written(fakes) == ["compare.csv", "compare.md", "compare.png"]
     folder = fakes.parent / "comparison"
     assert [row["step"] for row in frames_of(folder / "compare.csv")] == [STEPS[0]]
-    assert "ended by Ctrl-C after 1 of 9 runs" in (folder / "compare.md").read_text()
+    assert f"ended by {name} after 1 of 9 runs" in (folder / "compare.md").read_text()
+
+
+def descendants(parent):
+    found = []
+    for child in pathlib.Path(f"/proc/{parent}/task/{parent}/children").read_text().split():
+        found += [int(child), *descendants(child)]
+    return found
+
+
+def test_a_full_disk_leaves_what_was_there(fakes, no_chart):
+    """A limit on the size of files breaks off the write."""
+    folder = fakes.parent / "comparison"
+    folder.mkdir()
+    (folder / "compare.csv").write_text("old")
+    code = (f"import resource, signal, sys\n"
+            f"signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+            f"sys.path.insert(0, {str(COMPARE.parent)!r})\n"
+            f"import compare\n"
+            f"whole = compare.write_whole\n"
+            f"def limited(path, content):\n"
+            f"    resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))\n"
+            f"    whole(path, content)\n"
+            f"compare.write_whole = limited\n"
+            f"sys.exit(compare.main())\n")
+    result = subprocess.run([sys.executable, "-c", code, "--build", fakes, "--steps", "1",
+                             "--counts", "10", "--frames", "3"], cwd=fakes.parent, text=True,
+                            env={**os.environ, **no_chart}, capture_output=True, timeout=PATIENCE)
+    assert result.returncode == 1
+    assert result.stderr.splitlines()[-1] == (
+        "compare.py: cannot write comparison/compare.csv: File too large")
+    assert written(fakes) == ["compare.csv"] and (folder / "compare.csv").read_text() == "old"
 
 
 @pytest.mark.parametrize("arguments", [
