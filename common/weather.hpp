@@ -19,14 +19,19 @@ std::vector<Particle> make_flakes(const Weather& weather);
 
 // A number that the user may change: `--set name=value`, or its slider in the panel.
 struct Parameter {
-    const char* name;
-    const char* unit;  // "on/off": a switch
+    const char* name;   // for --set
+    const char* label;  // in the panel
+    const char* unit;   // "on/off": a switch
     float minimum, maximum;
     const char* meaning;
     float* value;
-    char key = 0;  // that turns a switch on and off
+    char key = 0;              // that turns a switch on and off
+    const char* heading = "";  // in the panel, under which it stands
 };
 
 std::vector<Parameter> weather_parameters(Weather& weather);  // those of the weather
+
+// The same parameters, under a heading.
+std::vector<Parameter> under(const char* heading, std::vector<Parameter> parameters);
 
 }  // namespace snow

@@ -1,6 +1,7 @@
 #include "common/harness/panel.hpp"
 
 #include <GL/glew.h>
+#include <GL/freeglut.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -38,7 +39,7 @@ void draw_times(const std::deque<FrameTime>& frames)
                 p95);
     ImGui::PlotLines("##frames", plot.data(), int(plot.size()), 0, nullptr, 0,
                      float(std::max(2 * median, p95)),
-                     ImVec2(ImGui::GetContentRegionAvail().x, 60));
+                     ImVec2(ImGui::GetContentRegionAvail().x, 4 * ImGui::GetFontSize()));
     // The last frame whose GPU times have all arrived.
     const auto whole = std::find_if(frames.rbegin(), frames.rend(), [](const FrameTime& frame) {
         return !frame.stages.empty() && std::all_of(frame.stages.begin(), frame.stages.end(),
@@ -63,15 +64,38 @@ void draw_parameter(const snow::Parameter& parameter)
 {
     if (std::string_view(parameter.unit) == "on/off") {
         bool on = *parameter.value != 0;
-        ImGui::Checkbox(parameter.name, &on);
+        ImGui::Checkbox(parameter.label, &on);
         *parameter.value = on ? 1.0f : 0.0f;
     } else {
         char format[32];
         std::snprintf(format, sizeof format, "%%.3g %s", parameter.unit);
-        ImGui::SliderFloat(parameter.name, parameter.value, parameter.minimum, parameter.maximum,
+        ImGui::SliderFloat(parameter.label, parameter.value, parameter.minimum, parameter.maximum,
                            format, ImGuiSliderFlags_Logarithmic);
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning);
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s\n--set %s=%g", parameter.meaning, parameter.name,
+                          double(*parameter.value));
+    }
+}
+
+// All of them, those of a heading together below it. It unfolds when it is clicked.
+void draw_parameters(const std::vector<snow::Parameter>& parameters)
+{
+    std::vector<std::string_view> headings;  // in the order in which they first come
+    float longest = 0;                       // of the labels, pixels
+    for (const snow::Parameter& parameter : parameters) {
+        longest = std::max(longest, ImGui::CalcTextSize(parameter.label).x);
+        if (std::find(headings.begin(), headings.end(), parameter.heading) == headings.end())
+            headings.push_back(parameter.heading);
+    }
+    ImGui::PushItemWidth(-longest - ImGui::GetStyle().ItemInnerSpacing.x);
+    for (const std::string_view heading : headings) {
+        if (!heading.empty() && !ImGui::CollapsingHeader(heading.data())) continue;
+        for (const snow::Parameter& parameter : parameters) {
+            if (parameter.heading == heading) draw_parameter(parameter);
+        }
+    }
+    ImGui::PopItemWidth();
 }
 
 }  // namespace
@@ -81,6 +105,12 @@ Panel::Panel()
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // no file is left behind
+    // Twice as large on a screen with twice the rows, or it could not be read there.
+    const float scale = float(std::max(1, glutGet(GLUT_SCREEN_HEIGHT) / 1080));
+    ImFontConfig font;
+    font.SizePixels = 13 * scale;
+    ImGui::GetIO().Fonts->AddFontDefault(&font);
+    ImGui::GetStyle().ScaleAllSizes(scale);
     ImGui_ImplGLUT_Init();
     ImGui_ImplOpenGL2_Init();
 }
@@ -114,12 +144,14 @@ void Panel::draw(glm::ivec2 size, CommandLine& command, Controls& controls,
 void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<FrameTime>& frames,
                    const std::string& renderer)
 {
-    ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(360, 0), ImGuiCond_FirstUseEver);
-    const float room =
-        std::max(ImGui::GetIO().DisplaySize.y - 20, 60.0f);  // the wheel scrolls the rest
-    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(FLT_MAX, room));
-    ImGui::Begin(command.lesson.name.c_str());
+    // In a corner, and no more than a third of the window: the wheel scrolls what has no room.
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float margin = 10, width = std::min(28 * ImGui::GetFontSize(), window.x - 2 * margin);
+    ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(width, 0));  // 0: as high as what is unfolded
+    const float room = std::min(window.y - 2 * margin, window.x * window.y / 3 / width);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(FLT_MAX, std::max(room, 40.0f)));
+    ImGui::Begin(command.lesson.name.c_str(), nullptr, ImGuiWindowFlags_NoResize);
     ImGui::TextWrapped("%s", renderer.c_str());
     draw_times(frames);
     ImGui::Text("memory %.0f MiB", process_memory());
@@ -132,7 +164,7 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     ImGui::Separator();
     static int flakes = 0;  // as the slider stands; taken over when it is let go
     if (!ImGui::IsAnyItemActive()) flakes = int(command.weather.particles);
-    ImGui::SliderInt("flakes", &flakes, 0, 2'000'000, "%d", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderInt("flakes", &flakes, 0, 10'000'000, "%d", ImGuiSliderFlags_Logarithmic);
     if (ImGui::IsItemDeactivatedAfterEdit()) {
         command.weather.particles = unsigned(std::clamp(flakes, 0, int(snow::max_particles)));
         controls.restart = true;
@@ -146,7 +178,7 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
         if (&variant != &variants.back()) ImGui::SameLine();
     }
     const std::vector<snow::Parameter> parameters = command.parameters();
-    for (const snow::Parameter& parameter : parameters) draw_parameter(parameter);
+    draw_parameters(parameters);
 
     ImGui::Separator();
     ImGui::Checkbox("pause", &controls.paused);
@@ -154,7 +186,9 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     controls.single_step |= ImGui::Button("single step");
     ImGui::SameLine();
     controls.restart |= ImGui::Button("restart");
-    ImGui::TextDisabled("%s", keys_help(parameters).c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", keys_help(parameters).c_str());
+    ImGui::PopStyleColor();
     ImGui::End();
 }
 

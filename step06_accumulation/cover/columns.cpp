@@ -18,10 +18,13 @@ Columns::Columns(const SolidScene& solid, const SnowCover& cover)
 
 std::vector<snow::Parameter> Columns::parameters()
 {
-    return {
-        {"settling", "on/off", 0, 1, "snow steeper than its angle of repose slides", &settling},
-        {"melting", "on/off", 0, 1, "snow melts where it is warmer than 0 degrees", &melting},
-    };
+    return snow::under("Snow that lies",
+                       {
+                           {"settling", "slides", "on/off", 0, 1,
+                            "snow steeper than its angle of repose slides", &settling},
+                           {"melting", "melts", "on/off", 0, 1,
+                            "snow melts where it is warmer than 0 degrees", &melting},
+                       });
 }
 
 void Columns::settle(unsigned tick, int ticks)

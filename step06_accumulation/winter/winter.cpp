@@ -13,9 +13,12 @@ Winter::Winter(Window& window, const SolidScene& solid, const Columns& columns)
 std::vector<snow::Parameter> Winter::parameters()
 {
     std::vector<snow::Parameter> all;
-    for (const auto& part : {SnowSurface::parameters(), Columns::parameters(), Flakes::parameters(),
-                             WindField::parameters(), Sky::parameters(), Daylight::parameters(),
-                             FlakeBudget::parameters()}) {
+    for (const auto& part :
+         {snow::under("Surface", SnowSurface::parameters()), Columns::parameters(),
+          snow::under("Flakes", Flakes::parameters()), snow::under("Wind", WindField::parameters()),
+          snow::under("Light and air", Sky::parameters()),
+          snow::under("Light and air", Daylight::parameters()),
+          snow::under("Frame rate", FlakeBudget::parameters())}) {
         all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -10,6 +10,7 @@ import time
 
 import numpy
 import PIL.Image
+import PIL.ImageGrab
 import pytest
 
 import driver
@@ -63,6 +64,19 @@ class OpenProgram:
         self.press("s")
         wait_until(path.exists, "a picture")
         return path.read_bytes()
+
+    def screen(self, folder):
+        """The window as the screen shows it, with its panel: after all that was done before."""
+        for _ in range(2):  # what a click does is drawn in the frame after the one that sees it
+            self.picture(folder)
+        place = self.xdotool("getwindowgeometry", "--shell", self.window)
+        x, y, width, height = (int(re.search(rf"^{name}=(-?\d+)", place, re.MULTILINE)[1])
+                               for name in ("X", "Y", "WIDTH", "HEIGHT"))
+        screen = PIL.ImageGrab.grab(xdisplay=os.environ["DISPLAY"]).convert("RGB")
+        return numpy.asarray(screen.crop((x, y, x + width, y + height)))
+
+    def point_at(self, x, y):
+        self.xdotool("mousemove", "--window", self.window, x, y)
 
     def press_close_button(self):
         """Sends the message that a window manager sends; none runs here, and xdotool cannot."""
@@ -283,6 +297,89 @@ def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     program.ends_well()
 
 
+# What ImGui's dark style paints the title bar of a window in use, and the knob of a slider.
+TITLE_BAR, KNOB = (41, 74, 122), (61, 133, 224)
+
+
+def find(screen, colour):
+    """The uppermost run of rows that hold this colour, as (first, last); None if there is none."""
+    # 6: what the panel is not quite opaque above lets through of the picture.
+    close = numpy.abs(screen.astype(int) - colour).max(axis=2) < 6
+    rows = numpy.flatnonzero(close.sum(axis=1) >= 5)
+    if not len(rows):
+        return None
+    gaps = numpy.flatnonzero(numpy.diff(rows) > 1)
+    return int(rows[0]), int(rows[gaps[0]] if len(gaps) else rows[-1])
+
+
+def test_the_panel_lets_go_of_keys_and_of_the_mouse(open_program, tmp_path):
+    """Tab is not held for ever, which would keep Escape from quitting; nor is the panel, when H hides
+    it while it is dragged."""
+    program = open_program("step05_collision", "--size", "500x400", "--voxels", 32,
+                           "--particles", 0)
+
+    def top():
+        bar = find(program.screen(tmp_path), TITLE_BAR)
+        return bar and bar[0]
+
+    first = top()
+    program.point_at(60, first + 8)
+    program.picture(tmp_path)
+    program.xdotool("mousedown", 1)
+    program.picture(tmp_path)
+    program.point_at(60, first + 28)
+    wait_until(lambda: top() == first + 20, "the panel to follow the mouse")
+    program.press("h")
+    wait_until(lambda: top() is None, "the panel to go")
+    program.xdotool("mouseup", 1)
+    program.press("h")
+    wait_until(lambda: top() == first + 20, "the panel to come back")
+    program.point_at(60, first + 68)
+    assert top() == first + 20
+
+    program.press("Tab")
+    program.picture(tmp_path)
+    program.press("Escape")
+    program.ends_well()
+
+
+def test_the_wheel_over_the_panel_moves_the_panel(open_program, tmp_path):
+    """And not the camera: what lies below its end comes into view."""
+    program = open_program("step05_collision", "--size", "500x300", "--voxels", 32,
+                           "--particles", 0)
+    assert find(program.screen(tmp_path), KNOB) is None
+    program.point_at(100, 60)
+    before = program.picture(tmp_path)
+
+    def turned():
+        program.xdotool("click", 5)
+        return find(program.screen(tmp_path), KNOB)
+
+    wait_until(turned, "the slider of the flakes")
+    assert program.picture(tmp_path) == before
+    program.press("Escape")
+    program.ends_well()
+
+
+def test_a_number_is_typed_into_a_slider(open_program, tmp_path):
+    """With Ctrl and a click."""
+    program = open_program("step02_vbo", "--size", "1100x700", "--dump", "flakes.csv", *FOREVER)
+    program.point_at(60, find(program.screen(tmp_path), KNOB)[0] + 2)
+    program.picture(tmp_path)
+    program.xdotool("keydown", "ctrl", "mousedown", 1)
+    program.wait_for_frames()  # S would be typed, too
+    program.xdotool("mouseup", 1, "keyup", "ctrl")
+    for key in ("1", "2", "3", "Return"):
+        program.xdotool("keydown", key)
+        program.wait_for_frames()
+        program.xdotool("keyup", key)
+    program.press("Escape")
+    out, err = program.process.communicate(timeout=PATIENCE)
+    assert (program.process.returncode, err) == (0, "")
+    assert " 123 flakes, " in out
+    assert len(Flakes(tmp_path / "flakes.csv").age) == 123
+
+
 def test_keys(open_program, tmp_path):
     """H hides the panel and all it costs, space pauses, R begins anew."""
     program = open_program("step01_cpu_points", *small("step01_cpu_points"), "--csv", "times.csv")
@@ -347,7 +444,7 @@ def test_the_close_button_leaves_the_last_picture(open_program, tmp_path):
 
 def test_panel_changes_flakes_and_variant(open_program, tmp_path):
     """Clicks down a column that crosses the slider of the flakes and the second variant's button."""
-    program = open_program("step02_vbo", "--size", "400x700", "--dump", "flakes.csv", *FOREVER)
+    program = open_program("step02_vbo", "--size", "1100x700", "--dump", "flakes.csv", *FOREVER)
     for y in range(100, 400, 6):
         program.xdotool("mousemove", "--window", program.window, 130, y)
         for button in ("mousedown", "mouseup"):

@@ -7,9 +7,10 @@
 std::vector<snow::Parameter> FlakeBudget::parameters()
 {
     return {
-        {"hold_fps", "fps", 0, 240, "frame rate to hold by moving fewer flakes; 0: none",
+        {"hold_fps", "hold", "fps", 0, 240, "frame rate to hold by moving fewer flakes; 0: none",
          &hold_fps},
-        {"live", "", 0.01f, 1, "part of the flakes that moves at most, each the heavier", &live},
+        {"live", "part that moves", "", 0.01f, 1,
+         "part of the flakes that moves at most, each the heavier", &live},
     };
 }
 

@@ -14,9 +14,9 @@ Flakes::Flakes()
 std::vector<snow::Parameter> Flakes::parameters()
 {
     return {
-        {"billboards", "on/off", 0, 1, "flakes are crystals, drawn out along their way",
+        {"billboards", "crystals", "on/off", 0, 1, "flakes are crystals, drawn out along their way",
          &billboards},
-        {"splashes", "on/off", 0, 1, "of drops that reach the ground", &splashes},
+        {"splashes", "splashes", "on/off", 0, 1, "of drops that reach the ground", &splashes},
     };
 }
 

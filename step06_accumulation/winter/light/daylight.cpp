@@ -94,14 +94,18 @@ Daylight::Daylight(const SolidScene& solid)
 std::vector<snow::Parameter> Daylight::parameters()
 {
     return {
-        {"shadow", "on/off", 0, 1, "the scene keeps the sun from what lies behind it", &shadow},
-        {"occlusion", "on/off", 0, 1, "it is darker where less of the sky is seen", &occlusion},
-        {"fog", "on/off", 0, 1, "the air, and more so with snow in it, hides what is far", &fog},
-        {"lamp", "on/off", 0, 1, "the lamp, lit from dusk on", &lamp},
-        {"sun_height", "degrees", -20, 80, "of the sun above the horizon", &sun_height},
-        {"sun_direction", "degrees", 0, 360, "where the sun stands, from +z towards +x",
-         &sun_direction},
-        {"exposure", "", 0.1f, 10, "of the picture", &exposure},
+        {"shadow", "shadows", "on/off", 0, 1, "the scene keeps the sun from what lies behind it",
+         &shadow},
+        {"occlusion", "ambient occlusion", "on/off", 0, 1,
+         "it is darker where less of the sky is seen", &occlusion},
+        {"fog", "fog", "on/off", 0, 1, "the air, and more so with snow in it, hides what is far",
+         &fog},
+        {"lamp", "lamp", "on/off", 0, 1, "the lamp, lit from dusk on", &lamp},
+        {"sun_height", "height of the sun", "degrees", -20, 80, "of the sun above the horizon",
+         &sun_height},
+        {"sun_direction", "direction of the sun", "degrees", 0, 360,
+         "where the sun stands, from +z towards +x", &sun_direction},
+        {"exposure", "exposure", "", 0.1f, 10, "of the picture", &exposure},
     };
 }
 

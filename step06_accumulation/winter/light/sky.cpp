@@ -8,7 +8,7 @@ Sky::Sky()
 
 std::vector<snow::Parameter> Sky::parameters()
 {
-    return {{"sky", "on/off", 0, 1, "sky, and a field around the scene", &sky}};
+    return {{"sky", "sky", "on/off", 0, 1, "sky, and a field around the scene", &sky}};
 }
 
 void Sky::draw()

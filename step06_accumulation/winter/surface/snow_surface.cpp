@@ -114,9 +114,9 @@ SnowSurface::SnowSurface(const Scene& scene, float cell_size)
 std::vector<snow::Parameter> SnowSurface::parameters()
 {
     return {
-        {"tessellation", "on/off", 0, 1, "the surface of the snow is as fine as it needs to be",
-         &tessellation},
-        {"sparkle", "on/off", 0, 1, "crystals on the snow flash in the sun", &sparkle},
+        {"tessellation", "tessellation", "on/off", 0, 1,
+         "the surface of the snow is as fine as it needs to be", &tessellation},
+        {"sparkle", "sparkle", "on/off", 0, 1, "crystals on the snow flash in the sun", &sparkle},
     };
 }
 

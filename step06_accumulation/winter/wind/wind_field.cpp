@@ -248,9 +248,11 @@ WindField::WindField(const VoxelGrid& grid)
 std::vector<snow::Parameter> WindField::parameters()
 {
     return {
-        {"wind_field", "on/off", 0, 1, "the wind flows around the scene", &wind_field},
-        {"arrows", "on/off", 0, 1, "the wind as arrows, the redder the faster", &arrows, 'W'},
-        {"gusts", "", 0, 2, "largest change of the wind in a gust, relative", &gusts},
+        {"wind_field", "around the scene", "on/off", 0, 1, "the wind flows around the scene",
+         &wind_field},
+        {"arrows", "arrows", "on/off", 0, 1, "the wind as arrows, the redder the faster", &arrows,
+         'W'},
+        {"gusts", "gusts", "", 0, 2, "largest change of the wind in a gust, relative", &gusts},
     };
 }
 

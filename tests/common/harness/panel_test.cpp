@@ -10,17 +10,17 @@ float a_switch = 1, a_number = 5;
 
 std::vector<snow::Parameter> own_parameters()
 {
-    return {{"a_switch", "on/off", 0, 1, "a test", &a_switch, 'W'},
-            {"a_number", "m", 0, 10, "a test", &a_number}};
+    return {{"a_switch", "a switch", "on/off", 0, 1, "a test", &a_switch, 'W', "Own"},
+            {"a_number", "a number", "m", 0, 10, "a test", &a_number, 0, "Own"}};
 }
 
-// Height of the panel for a variant of two, pixels.
-float height_for(const char* variant)
+// What there is on a screen of that size, pixels, for a variant of two.
+ImVec2 size_for(const char* variant, ImVec2 screen, bool unfolded)
 {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.DisplaySize = ImVec2(400, 2000);
+    io.DisplaySize = screen;
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
@@ -35,12 +35,14 @@ float height_for(const char* variant)
     Controls controls;
     controls.note = "a note";
     const std::deque<FrameTime> frames = {{10, false, {{"update", 2, 3.0}}}};
-    float result = 0;
-    for (int frame = 0; frame < 3; ++frame) {  // its size follows from the frame before
+    ImVec2 result;
+    for (int frame = 0; frame < 4; ++frame) {  // its size follows from the frames before
         ImGui::NewFrame();
         lay_out_panel(command, controls, frames, "no renderer");
         ImGui::Begin("panel");
-        result = ImGui::GetWindowHeight();
+        result = ImGui::GetWindowSize();
+        for (const snow::Parameter& parameter : command.parameters())
+            ImGui::GetStateStorage()->SetInt(ImGui::GetID(parameter.heading), unfolded);
         ImGui::End();
         ImGui::Render();
     }
@@ -50,11 +52,24 @@ float height_for(const char* variant)
     return result;
 }
 
+const ImVec2 large(2000, 2000);
+
 }  // namespace
 
 TEST(Panel, HasAWidgetForEveryParameterOfTheVariant)
 {
-    const float plain = height_for("plain"), fancy = height_for("fancy");
-    EXPECT_GT(plain, 15 * 13) << "a line, 13 pixels, for each number of the weather";
-    EXPECT_GT(fancy, plain + 2 * 13);
+    const float folded = size_for("plain", large, false).y;
+    const float plain = size_for("plain", large, true).y, fancy = size_for("fancy", large, true).y;
+    EXPECT_GT(plain, folded + 15 * 13) << "a line, 13 pixels, for each number of the weather";
+    EXPECT_GT(fancy, plain + 3 * 13) << "and for a heading and what stands below it";
+}
+
+TEST(Panel, LeavesTwoThirdsOfTheWindowToThePicture)
+{
+    for (const ImVec2 screen : {ImVec2(1280, 720), ImVec2(400, 700), ImVec2(640, 480), large}) {
+        const ImVec2 panel = size_for("fancy", screen, true);
+        EXPECT_LE(panel.x * panel.y, screen.x * screen.y / 3) << screen.x << " x " << screen.y;
+        EXPECT_LT(panel.x, screen.x);
+        EXPECT_LT(panel.y, screen.y);
+    }
 }
