@@ -12,6 +12,7 @@
 #include "common/uniform_block.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
+#include "step04_transform_feedback/no_vertices.hpp"
 
 using namespace snow;
 
@@ -70,8 +71,8 @@ void run_texture(Window& window)
         glDrawBuffers(2, both);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    int now = 0;                               // the state that holds the flakes as they are
-    const GlObject vao = make_vertex_array();  // of nothing: the shaders fetch what they need
+    int now = 0;           // the state that holds the flakes as they are
+    const NoVertices vao;  // the shaders fetch what they need
 
     UniformBlock<Weather> weather_block;
     Program update({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},

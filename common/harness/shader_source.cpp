@@ -10,6 +10,11 @@
 
 namespace {
 
+// How far apart the line numbers are that the compiler is told for one file and for the next. With
+// these a line's number alone says which file it is in: Mesa forgets what else #line can tell, the
+// number of a file, in what it says of an expression.
+constexpr size_t lines_of_a_file = 100000;
+
 // The file that a line includes; empty if it is no #include.
 std::string included_by(const std::string& line)
 {
@@ -27,6 +32,12 @@ bool read_number(const std::string& text, size_t& place, size_t& number)
     if (place == start || place - start > 9) return false;
     number = std::stoul(text.substr(start, place - start));
     return true;
+}
+
+// Tells the compiler which line of which file comes next.
+std::string line_directive(size_t file, int line)
+{
+    return "#line " + std::to_string(file * lines_of_a_file + size_t(line)) + "\n";
 }
 
 bool speaks_of_an_error(const std::string& line)
@@ -55,15 +66,14 @@ void ShaderSource::assemble(const std::string& file)
         } else if (std::find(files_.begin(), files_.end(), included) != files_.end()) {
             text_ += "\n";  // it is in already
         } else {
-            // #line tells the compiler which line of which file comes next.
-            text_ += "#line 1 " + std::to_string(files_.size()) + "\n";
+            text_ += line_directive(files_.size(), 1);
             try {
                 assemble(included);
             } catch (
                 const std::runtime_error& error) {  // says what is missing; here it is asked for
                 throw std::runtime_error(file + ":" + std::to_string(count) + ": " + error.what());
             }
-            text_ += "#line " + std::to_string(count + 1) + " " + std::to_string(number) + "\n";
+            text_ += line_directive(number, count + 1);
         }
     }
 }
@@ -75,13 +85,15 @@ std::string ShaderSource::first_error(const std::string& log) const
     std::string line;
     while (std::getline(lines, line)) {
         if (!speaks_of_an_error(line)) continue;
-        size_t place = line.rfind("ERROR: ", 0) == 0 ? 7 : 0, file = 0, number = 0;
-        if (!read_number(line, place, file) || file >= files_.size()) continue;
+        size_t place = line.rfind("ERROR: ", 0) == 0 ? 7 : 0, string = 0, number = 0;
+        if (!read_number(line, place, string)) continue;
         if (line[place] != ':' && line[place] != '(') continue;
         const bool in_parentheses = line[place++] == '(';
         if (!read_number(line, place, number)) continue;
+        const size_t file = number / lines_of_a_file;
+        if (file >= files_.size()) continue;
         if (in_parentheses) ++place;
-        return files_[file] + ":" + std::to_string(number) +
+        return files_[file] + ":" + std::to_string(number % lines_of_a_file) +
                line.substr(std::min(place, line.size()));
     }
     return files_.front() + ": " + first_error_line(log);

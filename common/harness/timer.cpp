@@ -20,18 +20,23 @@ bool has_queries()
     return has;
 }
 
-// The bits that a timestamp has on this card: some count with 36, and begin anew after a minute.
-GLuint64 timestamp_mask()
+GLint timestamp_bits()
 {
     static const GLint bits = [] {
         GLint count = 0;
         glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &count);
         return count;
     }();
-    return bits > 0 && bits < 64 ? (GLuint64(1) << bits) - 1 : ~GLuint64(0);
+    return bits;
 }
 
 }  // namespace
+
+GLuint64 nanoseconds_between(GLuint64 begin, GLuint64 end, GLint bits)
+{
+    const GLuint64 mask = bits > 0 && bits < 64 ? (GLuint64(1) << bits) - 1 : ~GLuint64(0);
+    return (end - begin) & mask;
+}
 
 StageTimer::StageTimer(FrameTimer* timer, const char* name) : timer_(timer)
 {
@@ -127,7 +132,7 @@ void FrameTimer::collect(bool wait)
         glGetQueryObjectui64v(oldest.end, GL_QUERY_RESULT, &end);
         if (oldest.frame >= forgotten_ && oldest.frame - forgotten_ < frames_.size()) {
             frames_[oldest.frame - forgotten_].stages[oldest.stage].gpu_ms =
-                double((end - begin) & timestamp_mask()) * 1e-6;
+                double(nanoseconds_between(begin, end, timestamp_bits())) * 1e-6;
         }
         free_queries_.insert(free_queries_.end(), {oldest.begin, oldest.end});
         pending_.pop_front();

@@ -23,6 +23,10 @@ struct FrameTime {
     std::vector<StageTime> stages;
 };
 
+// From one timestamp to another, ns. Some cards count with fewer than 64 bits, and begin anew after
+// a minute.
+GLuint64 nanoseconds_between(GLuint64 begin, GLuint64 end, GLint bits);
+
 class FrameTimer {
 public:
     // Opens a frame. Synchronised: the pipeline is emptied around every stage, which makes stages

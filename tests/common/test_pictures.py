@@ -52,6 +52,16 @@ def test_opengl_has_no_complaint(programs, step, variant):
 
 
 @pytest.mark.parametrize("step, variant", STEP_VARIANTS)
+def test_no_draw_lacks_attribute_0(programs, tmp_path, step, variant):
+    """Mesa draws all the same; not every driver does, in a compatibility context."""
+    counts = tmp_path / "draws"
+    programs.run_well(step, *small(step), "--variant", variant, "--frames", 2,
+                      environment={**programs.preloaded("check_draws"), "DRAWS_FILE": str(counts)})
+    unfed, draws = map(int, counts.read_text().split())
+    assert unfed == 0 and (draws > 0 or step == "step01_cpu_points")
+
+
+@pytest.mark.parametrize("step, variant", STEP_VARIANTS)
 def test_flakes_are_drawn(programs, step, variant):
     """With and without flakes the pictures differ: they come from the snow, not the background."""
     shown = ["--variant", variant, *setting(step, variant)]

@@ -1,5 +1,7 @@
 """Files that the programs read at start: missing, broken, empty. SNOWFALL_DIR points to a copy."""
 
+import random
+import re
 import shutil
 
 import pytest
@@ -61,6 +63,33 @@ def test_broken_shader_is_named_with_its_line(run, copy, shader, step, variant):
     path.write_text(source)
     result = run(step, variant)
     assert fails_with_one_line(result, 1, f"{shader}:{source.count(chr(10))}")
+
+
+@pytest.mark.parametrize("shader, step, variant", SHADERS)
+def test_a_name_without_a_meaning_is_named_with_its_line(run, copy, shader, step, variant):
+    """No mistake in the grammar: Mesa finds those only once a whole expression is read."""
+    path = copy / shader
+    source = path.read_text() + "\nfloat broken(float x) { return x + no_such_name; }\n"
+    path.write_text(source)
+    assert fails_with_one_line(run(step, variant), 1, f"{shader}:{source.count(chr(10))}",
+                               "no_such_name")
+
+
+@pytest.mark.parametrize("shader, step, variant", SHADERS)
+def test_a_line_is_lost(run, copy, shader, step, variant):
+    """Any line: either it does no harm, or one line says where the compiler misses it."""
+    path = copy / shader
+    source = path.read_text()
+    lines = source.splitlines(keepends=True)
+    code = [i for i, line in enumerate(lines) if line.strip() and not line.startswith("//")]
+    choose = random.Random(shader)
+    for lost in choose.sample(code, 3):
+        path.write_text("".join(lines[:lost] + lines[lost + 1:]))
+        result = run(step, variant)
+        if result.returncode:
+            assert fails_with_one_line(result, 1, "error: shader")
+            assert (re.search(r"(common|step\d\d_\w+)/\S+\.\w+:\d+\b", result.stderr)
+                    or "link" in result.stderr), f"without line {lost + 1}"
 
 
 @pytest.mark.parametrize("shader, step, variant", SHADERS)

@@ -273,6 +273,16 @@ def test_minimising(open_program, step):
     program.ends_well()
 
 
+def test_the_number_of_frames_may_be_the_largest(open_program, tmp_path):
+    """With the warm-up it is more than 32 bits hold: it must not begin anew at 0."""
+    program = open_program("step01_cpu_points", *SMALL, "--realtime", "--frames", 2**32 - 1,
+                           "--warmup", 3)
+    for _ in range(5):
+        program.picture(tmp_path)
+    program.press("Escape")
+    program.ends_well()
+
+
 def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     """Seen in two pictures without snow: only the scene can change."""
     step = "step05_collision"

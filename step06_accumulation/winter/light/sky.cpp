@@ -2,8 +2,7 @@
 
 Sky::Sky()
     : program({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
-               {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/sky.frag"}}),
-      vao_(make_vertex_array())
+               {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/sky.frag"}})
 {}
 
 std::vector<snow::Parameter> Sky::parameters()

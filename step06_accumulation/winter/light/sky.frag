@@ -1,5 +1,6 @@
 #version 430 core
-// What lies behind the scene: the sky, and the field around the courtyard, which whitens as it snows.
+// What lies behind the scene: the sky, and the field around the courtyard, which whitens as it
+// snows.
 
 #include "common/snow.glsl"
 #include "step06_accumulation/winter/light/light.glsl"
@@ -21,7 +22,8 @@ float star(vec3 direction)
     ivec3 cube = ivec3(floor(place));
     uint bits = hash(uint(cube.x) ^ hash(uint(cube.y) ^ hash(uint(cube.z))));
     if (bits > 0x02000000u) return 0.0;  // all but one in 128
-    vec3 middle = vec3(cube) + 0.3 + 0.4 * vec3(bits & 255u, bits >> 8u & 255u, bits >> 16u & 255u) / 255.0;
+    vec3 middle =
+        vec3(cube) + 0.3 + 0.4 * vec3(bits & 255u, bits >> 8u & 255u, bits >> 16u & 255u) / 255.0;
     float brightness = float(bits & 15u) / 15.0;
     return brightness * brightness * (1.0 - smoothstep(0.1, 0.3, distance(place, middle)));
 }
@@ -29,7 +31,8 @@ float star(vec3 direction)
 void main()
 {
     vec2 place = 2.0 * gl_FragCoord.xy / vec2(camera.window_size) - 1.0;  // clip space
-    vec3 sight = vec3(place / vec2(camera.projection[0][0], camera.projection[1][1]), -1.0);  // eye space
+    vec3 sight =
+        vec3(place / vec2(camera.projection[0][0], camera.projection[1][1]), -1.0);  // eye space
     vec3 direction = normalize(transpose(mat3(camera.view)) * sight);
     vec3 radiance;
     float way;  // m through snowy air

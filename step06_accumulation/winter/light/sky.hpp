@@ -5,6 +5,7 @@
 
 #include "common/program.hpp"
 #include "common/weather.hpp"
+#include "step04_transform_feedback/no_vertices.hpp"
 
 class Sky {
 public:
@@ -17,5 +18,5 @@ public:
     void draw();
 
 private:
-    GlObject vao_;  // of nothing: the shader knows its corners
+    NoVertices vao_;  // the shader knows its corners
 };

@@ -2,8 +2,7 @@
 
 WindArrows::WindArrows()
     : program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/wind/arrow.vert"},
-                {GL_FRAGMENT_SHADER, "step06_accumulation/winter/wind/arrow.frag"}}),
-      vao_(make_vertex_array())
+                {GL_FRAGMENT_SHADER, "step06_accumulation/winter/wind/arrow.frag"}})
 {}
 
 void WindArrows::draw(const WindField& wind, const SolidScene& solid, const snow::Weather& weather,

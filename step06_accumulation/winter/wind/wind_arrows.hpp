@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/program.hpp"
+#include "step04_transform_feedback/no_vertices.hpp"
 #include "step05_collision/solid_scene.hpp"
 #include "step06_accumulation/winter/wind/wind_field.hpp"
 
@@ -15,5 +16,5 @@ public:
 
 private:
     Program program_;
-    GlObject vao_;  // of nothing: the shader knows its corners
+    NoVertices vao_;  // the shader knows its corners
 };

@@ -1,8 +1,10 @@
 """Bad input, bad surroundings: one clear line on stderr, and a status that says whose fault."""
 
+import random
 import re
 import resource
 import signal
+import subprocess
 
 import pytest
 
@@ -33,6 +35,31 @@ def test_bad_usage(programs, step, arguments):
     """Found without opening a window: on a machine with no display as well."""
     result = programs.run(step, *arguments.split(), environment={"DISPLAY": None})
     assert fails_with_one_line(result, BAD_USAGE, "--help")
+
+
+OPTIONS = ["--particles", "--variant", "--weather", "--set", "--scene", "--up", "--voxels",
+           "--groups", "--point-size", "--hold-fps", "--seed", "--size", "--camera", "--tour",
+           "--vsync", "--frames", "--warmup", "--timelapse", "--benchmark", "--csv", "--realtime",
+           "--record", "--screenshot", "--dump", "--dump-cover", "--debug", "-x", "--", "-"]
+VALUES = ["", "0", "1", "-1", "64", "1e9", "nan", "inf", "4294967296", "99999999999999999999", "0x10",
+          "64x64", "1x", "41,15,17", ",,", "wind_x=3", "wind_x", "=", "gravity=-0", "snow", "none",
+          "two words", "\u00e4\u2603", "%s%n", "--frames", "y", "'", "a.png", "no/such/folder/file",
+          "\x01", "x" * 5000]
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_any_command_line_is_understood_or_refused(programs, step, tmp_path):
+    """A thousand for all the programs together. Without a display none gets further than to a
+    window, and none may crash, hang, or say more than one line."""
+    choose = random.Random(step)
+    for _ in range(1000 // len(STEPS) + 1):
+        arguments = []
+        for _ in range(choose.randrange(5)):
+            arguments.append(choose.choice(OPTIONS))
+            arguments += choose.choices(VALUES, k=choose.choice([0, 1, 1, 1, 2]))
+        result = programs.run(step, *arguments, environment={"DISPLAY": None}, cwd=tmp_path)
+        assert result.returncode in (CANNOT_RUN, BAD_USAGE), arguments
+        assert fails_with_one_line(result, result.returncode), arguments
 
 
 @pytest.mark.parametrize("step", WITH_SCENE)
@@ -74,6 +101,15 @@ def test_first_line_says_what_runs_where(programs, step):
 def test_no_display(programs, step, display):
     result = programs.run(step, "--frames", 1, environment={"DISPLAY": display})
     assert fails_with_one_line(result, CANNOT_RUN, "DISPLAY")
+
+
+def test_a_display_without_opengl(programs):
+    with subprocess.Popen(["Xvfb", "-displayfd", "1", "-extension", "GLX"], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as server:
+        display = ":" + server.stdout.readline().strip()
+        result = programs.run(STEPS[0], "--frames", 1, environment={"DISPLAY": display})
+        server.terminate()
+    assert fails_with_one_line(result, CANNOT_RUN, "glxinfo")
 
 
 @pytest.mark.only_software("it can be told to be an older OpenGL")

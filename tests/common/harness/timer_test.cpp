@@ -101,6 +101,14 @@ TEST(Timer, FrameTimesAddUpToTheRun)
     EXPECT_GE(sum, 0.99 * run.wall_ms);
 }
 
+TEST(Timer, TimestampsThatBeganAnewInBetween)
+{
+    EXPECT_EQ(nanoseconds_between(5, 12, 64), 7u);
+    EXPECT_EQ(nanoseconds_between((1ull << 36) - 5, 2, 36), 7u);
+    EXPECT_EQ(nanoseconds_between(~0ull - 4, 2, 64), 7u);
+    EXPECT_EQ(nanoseconds_between(5, 12, 0), 7u) << "a driver that does not tell";
+}
+
 TEST(Timer, StagesDoNotNest)
 {
     CommandLine command;
