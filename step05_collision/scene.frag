@@ -13,5 +13,6 @@ out vec4 colour;
 void main()
 {
     vec3 surface = with_picture(base_colour);
-    colour = vec4(lit(surface, normalize(world_normal), world_position), 1.0);
+    vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);  // towards the viewer
+    colour = vec4(lit(surface, normal, world_position), 1.0);
 }

@@ -1,10 +1,12 @@
 #include "step05_collision/solid_scene.hpp"
 
 #include "common/window.hpp"
+#include "step05_collision/ground.hpp"
 
 SolidScene::SolidScene(const Window& window)
-    : scene(load_scene(window.options().scene, window.options().up)), mesh(scene), pictures(scene),
-      grid(voxelise(scene, window.options().voxels)), voxels(upload_voxels(grid))
+    : scene(load_scene(window.options().scene, window.options().up)),
+      grid(voxelise(scene, window.options().voxels)), voxels(upload_voxels(grid)),
+      drawn(with_ground(scene, grid)), mesh(drawn), pictures(drawn)
 {}
 
 void set_grid(Program& program, const VoxelGrid& grid)
@@ -22,8 +24,8 @@ void set_voxels(Program& program, const SolidScene& solid)
 
 void draw_scene(Program& program, const SolidScene& solid)
 {
-    for (size_t i = 0; i < solid.scene.submeshes.size(); ++i) {
+    for (size_t i = 0; i < solid.drawn.submeshes.size(); ++i) {
         solid.pictures.set(program, i);
-        solid.mesh.draw(solid.scene.submeshes[i]);
+        solid.mesh.draw(solid.drawn.submeshes[i]);
     }
 }

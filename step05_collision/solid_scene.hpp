@@ -13,10 +13,11 @@ struct SolidScene {
     explicit SolidScene(const Window& window);  // from the file and with the voxels of its options
 
     Scene scene;
-    SceneMesh mesh;  // to be drawn
-    ScenePictures pictures;
     VoxelGrid grid;   // to be landed on
     GlObject voxels;  // the grid, on the GPU
+    Scene drawn;      // the scene and the ground beside it
+    SceneMesh mesh;
+    ScenePictures pictures;
 };
 
 // Gives the program in use the grid's place in the world (grid.glsl), and with it its voxels

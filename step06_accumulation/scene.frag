@@ -16,7 +16,8 @@ void main()
 {
     const vec3 snow_colour = vec3(0.90, 0.93, 0.97);
     const float least_upward = 0.1;  // normal.y of a surface on which snow can lie
-    float depth = world_normal.y > least_upward ? depth_at(bare_position) : 0.0;
+    vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);  // towards the viewer
+    float depth = normal.y > least_upward ? depth_at(bare_position) : 0.0;
     vec3 surface = mix(with_picture(base_colour), snow_colour, smoothstep(0.0, 0.02, depth));
-    colour = vec4(lit(surface, normalize(world_normal), world_position), 1.0);
+    colour = vec4(lit(surface, normal, world_position), 1.0);
 }

@@ -7,7 +7,7 @@ Winter::Computed::Computed(Window& window)
 Winter::Winter(Window& window, const SolidScene& solid, const Columns& columns)
     : solid_(solid), columns_(columns), computed_(window.shared<Computed>()),
       live_(window.options().weather.particles), daylight_(solid),
-      surface_(solid.scene, solid.grid.cell_size)
+      surface_(solid.drawn, solid.grid.cell_size)
 {}
 
 std::vector<snow::Parameter> Winter::parameters()

@@ -52,10 +52,11 @@ vec3 glint(vec3 normal, vec3 point)
 void main()
 {
     vec3 surface = with_picture(base_colour);
-    vec3 normal = normalize(base_normal);
+    bool is_behind = is_skirt == 0.0 && !gl_FrontFacing;
+    vec3 normal = normalize(is_behind ? -base_normal : base_normal);  // towards the viewer
     float cover = is_skirt;
     vec3 snow_normal = normalize(normal + vec3(0.0, 0.5, 0.0));
-    if (is_skirt == 0.0 && normal.y > 0.1 && gl_FrontFacing) {
+    if (is_skirt == 0.0 && normal.y > 0.1) {
         vec3 snow = snow_at(base_position);
         cover = cover_of(snow.x, base_position);
         snow_normal = normalize(normal / max(normal.y, 0.2) - vec3(snow.y, 0.0, snow.z));

@@ -20,10 +20,10 @@ BRICK = "newmtl brick\nKd 0.8 0.1 0.1\n"
 @pytest.fixture
 def draw(programs, tmp_path):
     """What a step draws of a scene, without snow, and what it says on stderr."""
-    def draw(path, *arguments, step=STEP, **more):
+    def draw(path, *arguments, step=STEP, particles=0, frames=1, **more):
         picture = tmp_path / "picture.png"
-        result = programs.run(step, "--size", "160x90", "--particles", 0, "--voxels", 32,
-                              "--frames", 1, "--scene", path, "--screenshot", picture, *arguments,
+        result = programs.run(step, "--size", "160x90", "--particles", particles,
+                              "--voxels", 32, "--frames", frames, "--scene", path, "--screenshot", picture, *arguments,
                               **more)
         assert result.returncode == 0, result.stderr
         return numpy.asarray(PIL.Image.open(picture).convert("RGB")).astype(int), result.stderr
@@ -52,6 +52,54 @@ def test_lost_materials_are_told_in_a_line_each_kind(draw, tmp_path, step):
     assert len(lines) == 2
     assert all(line.startswith(f"warning: {path}: line ") for line in lines)
     assert "none.mtl" in lines[0] and "brick" in lines[1]
+
+
+SHEET = scenes.text(scenes.quad((-8, 5, -8), (-8, 5, 8), (8, 5, 8), (8, 5, -8)),
+                    scenes.quad((0, 0, 0), (0, 0, 0.1), (0.1, 0, 0.1)))
+
+
+@pytest.mark.parametrize("step, variant", [("step05_collision", "voxels"),
+                                           ("step06_accumulation", "cells"),
+                                           ("step06_accumulation", "winter")])
+def test_a_sheet_is_dark_from_below(draw, tmp_path, step, variant):
+    """Open to both sides, and lit from above: its normals point up, also where one sees it from below."""
+    path = tmp_path / "sheet.obj"
+    path.write_text(SHEET)
+    def middle(camera, row):
+        picture, _ = draw(path, "--camera", camera, "--variant", variant, step=step)
+        return picture[row, 80].mean()
+    above, below = middle("41,80,20", 45), middle("41,-2,9", 5)
+    # From below falls less than a fifth of the light that comes from the sun and the whole sky; on
+    # the screen, with its gamma of 2.2, that is less than half.
+    assert below < 0.5 * above
+
+
+@pytest.mark.parametrize("step, variant", [("step05_collision", "voxels"),
+                                           ("step06_accumulation", "cells"),
+                                           ("step06_accumulation", "winter")])
+def test_the_ground_beside_a_scene_is_drawn_and_whitens(draw, tmp_path, step, variant):
+    """A slab over bare ground. Snow lies on the ground around it, from step 6 on for good."""
+    path = tmp_path / "slab.obj"
+    path.write_text(scenes.text(scenes.quad((-2, 2, -2), (-2, 2, 2), (2, 2, 2), (2, 2, -2)),
+                                scenes.quad((-8, 0, -8), (-8, 0, -7.9), (-7.9, 0, -8)),
+                                scenes.quad((8, 0, 8), (8, 0, 7.9), (7.9, 0, 8))))
+    look = ["--camera", "0,80,25", "--variant", variant]
+
+    def ground(*arguments, **more):
+        """The colour some metres before the slab, where flakes cover the least part of it."""
+        picture, _ = draw(path, *look, *arguments, step=step, **more)
+        colour = numpy.median(picture[65:75, 40:120], axis=(0, 1))
+        if variant != "winter":  # which draws a field all around
+            assert abs(colour - picture[0, 0]).max() > 10
+        return colour
+
+    bare = ground()
+    snowed = ground("--weather", "hail", "--set", "melt_time=1", "--set", "snowfall=5",
+                    "--timelapse", 120, particles=2000, frames=10)  # 20 s
+    if step == "step06_accumulation":
+        assert snowed.mean() > bare.mean() + 30
+    else:
+        assert abs(snowed - bare).max() < 5
 
 
 def test_a_light_too_bright_leaves_the_night_its_colours(draw, tmp_path):

@@ -1,0 +1,49 @@
+#include "step05_collision/ground.hpp"
+
+#include <algorithm>
+
+namespace {
+
+using glm::vec3;
+
+// Does the scene fill the lowest layer of the grid from column `begin` to before `end`?
+bool has_floor(const VoxelGrid& grid, glm::ivec2 begin, glm::ivec2 end)
+{
+    for (int z = begin.y; z < end.y; ++z) {
+        for (int x = begin.x; x < end.x; ++x) {
+            if (!grid.solid({x, 0, z})) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+Scene with_ground(Scene scene, const VoxelGrid& grid)
+{
+    constexpr float below = 0.005f;          // m, so that no floor at y = 0 shares its depth
+    constexpr float finest = 0.5f;           // m, of a square that snow can bend
+    const vec3 colour(0.20f, 0.21f, 0.17f);  // grass in winter
+    const int step = std::max(1, int(finest / grid.cell_size));
+
+    Submesh ground{{}, scene.indices.size(), 0};
+    ground.material.colour = colour;
+    for (int z = 0; z < grid.resolution; z += step) {
+        for (int x = 0; x < grid.resolution; x += step) {
+            const glm::ivec2 begin(x, z), end = glm::min(begin + step, grid.resolution);
+            // A floor may end anywhere in a voxel: under its rim the ground goes on.
+            if (has_floor(grid, begin - step, end + step)) continue;
+            const auto first = uint32_t(scene.vertices.size());
+            for (const glm::ivec2 corner : {begin, {begin.x, end.y}, end, {end.x, begin.y}}) {
+                vec3 place = grid.origin + grid.cell_size * vec3(corner.x, 0, corner.y);
+                place.y = -below;
+                scene.vertices.push_back({place, vec3(0, 1, 0), colour, {}});
+            }
+            for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
+                scene.indices.push_back(first + corner);
+        }
+    }
+    ground.count = scene.indices.size() - ground.first;
+    if (ground.count > 0) scene.submeshes.push_back(ground);
+    return scene;
+}
