@@ -25,9 +25,9 @@ void run(Window& window)
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
+    SnowCover cover(options.voxels);
     const SolidScene& solid = window.shared<SolidScene>();
     const Ledger ledger;
-    SnowCover cover(solid.grid);
     Columns columns(solid, cover);
 
     UniformBlock<Weather> weather_block;
@@ -54,7 +54,7 @@ void run(Window& window)
             set_voxels(update, solid);
             ledger.bind();
             cover.bind();
-            update.set("flake_mass", cover.flake_mass(weather));
+            update.set("flake_mass", cover.flake_mass(weather, solid.grid));
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
@@ -108,7 +108,7 @@ void run(Window& window)
     particles.read(flakes);
     window.dump(flakes);
     ledger.print(flakes);
-    cover.report(options.dump_cover);
+    cover.report(solid.grid, options.dump_cover);
 }
 
 void run_winter(Window& window);  // winter.cpp

@@ -29,9 +29,9 @@ void run_winter(Window& window)
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
+    SnowCover cover(options.voxels);
     const SolidScene& solid = window.shared<SolidScene>();
     const Ledger ledger;
-    SnowCover cover(solid.grid);
     Columns columns(solid, cover);
     Winter winter(window, solid, columns);
 
@@ -57,7 +57,8 @@ void run_winter(Window& window)
             ledger.bind();
             cover.bind();
             winter.set_wind(update, weather);
-            update.set("flake_mass", cover.flake_mass(weather) * winter.live().weight());
+            update.set("flake_mass",
+                       cover.flake_mass(weather, solid.grid) * winter.live().weight());
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
@@ -93,5 +94,5 @@ void run_winter(Window& window)
     particles.read(flakes);
     window.dump(flakes);
     ledger.print(flakes);
-    cover.report(options.dump_cover);
+    cover.report(solid.grid, options.dump_cover);
 }

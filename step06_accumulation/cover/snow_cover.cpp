@@ -17,8 +17,8 @@ struct Sums {  // as snow_cover.glsl has them: little-endian, the low word first
     GLuint64 deposited, melted;
 };
 
-// s from a flake's birth until it comes to lie: it falls, and may bounce. Found by letting one fall,
-// without what makes flakes differ or takes them out of the air.
+// s from a flake's birth until it comes to lie: it falls, and may bounce. Found by letting one
+// fall, without what makes flakes differ or takes them out of the air.
 double time_in_air(snow::Weather weather, snow::uint emitter)
 {
     weather.particles = 2;
@@ -36,9 +36,8 @@ double time_in_air(snow::Weather weather, snow::uint emitter)
 
 }  // namespace
 
-SnowCover::SnowCover(const VoxelGrid& grid)
-    : resolution_(grid.resolution), origin_(grid.origin), cell_size_(grid.cell_size),
-      mass_(make_buffer()), sums_(make_buffer())
+SnowCover::SnowCover(int resolution)
+    : resolution_(resolution), mass_(make_buffer()), sums_(make_buffer())
 {
     const size_t n = size_t(resolution_);
     const GLsizeiptr bytes = GLsizeiptr(n * n * n * sizeof(GLuint));
@@ -65,9 +64,10 @@ void SnowCover::bind() const
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SUMS_BUFFER, sums_);
 }
 
-float SnowCover::flake_mass(const snow::Weather& weather)
+float SnowCover::flake_mass(const snow::Weather& weather, const VoxelGrid& grid)
 {
-    // To find the time in the air flakes are let fall, which takes a while: not anew in every frame.
+    // To find the time in the air flakes are let fall, which takes a while: not anew in every
+    // frame.
     if (weather_ && std::memcmp(&*weather_, &weather, sizeof weather) == 0) return flake_mass_;
     weather_ = weather;
     double volume = 0;  // m3 a second, of the cubes around the flakes that come to lie
@@ -82,7 +82,7 @@ float SnowCover::flake_mass(const snow::Weather& weather)
     const snow::Emitter& cloud = weather.emitters[0];
     const double area = 4.0 * cloud.half_size.x * cloud.half_size.z;  // m2
     const double snow = weather.snowfall / 60.0 * area;               // m3 a second
-    const double cell = double(cell_size_) * cell_size_ * cell_size_;
+    const double cell = double(grid.cell_size) * grid.cell_size * grid.cell_size;
     flake_mass_ = volume > 0 ? float(65536 * snow / cell / volume) : 0.0f;
     return flake_mass_;
 }
@@ -98,7 +98,7 @@ std::vector<GLuint> SnowCover::read() const
     return mass;
 }
 
-void SnowCover::report(const std::filesystem::path& path) const
+void SnowCover::report(const VoxelGrid& grid, const std::filesystem::path& path) const
 {
     const std::vector<GLuint> mass = read();
     uint64_t lying = 0;
@@ -112,8 +112,8 @@ void SnowCover::report(const std::filesystem::path& path) const
 
     if (path.empty()) return;
     std::ostringstream csv;
-    csv << "# origin " << origin_.x << " " << origin_.y << " " << origin_.z << " cell "
-        << cell_size_ << " full 65536\ni,j,k,mass\n";
+    csv << "# origin " << grid.origin.x << " " << grid.origin.y << " " << grid.origin.z << " cell "
+        << grid.cell_size << " full 65536\ni,j,k,mass\n";
     const size_t n = size_t(resolution_);
     for (size_t cell = 0; cell < mass.size(); ++cell) {
         if (mass[cell] == 0) continue;

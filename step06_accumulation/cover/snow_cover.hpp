@@ -13,8 +13,9 @@
 
 class SnowCover {
 public:
-    // Throws std::runtime_error if the card has no buffer that large.
-    explicit SnowCover(const VoxelGrid& grid);
+    // For a grid of so many voxels along each edge. Throws std::runtime_error if the card has no
+    // buffer that large: before the scene is voxelised, which takes a while.
+    explicit SnowCover(int resolution);
 
     // Lets the shaders of snow_cover.glsl add to it and take from it.
     void bind() const;
@@ -22,7 +23,7 @@ public:
     // The mass of a flake as wide as 1 m, in units of which 65536 fill a cell; it grows with the
     // cube of the diameter. It takes so much for the flakes that fall on a square metre in a minute
     // to fill it as deep as the weather says, however many flakes there are and however fast.
-    float flake_mass(const snow::Weather& weather);
+    float flake_mass(const snow::Weather& weather, const VoxelGrid& grid);
 
     // The mass in every cell, x fastest, then y. For the end, never in a frame.
     std::vector<GLuint> read() const;
@@ -31,12 +32,10 @@ public:
     // melted make up what the flakes have deposited. And writes one line for every cell that holds
     // snow, `i,j,k,mass`, to `path`, unless that is empty, after one that says where cell (0, 0, 0)
     // begins and how large cells are, m. Throws std::runtime_error.
-    void report(const std::filesystem::path& path) const;
+    void report(const VoxelGrid& grid, const std::filesystem::path& path) const;
 
 private:
     int resolution_;
-    glm::vec3 origin_;  // m
-    float cell_size_;   // m
     GlObject mass_, sums_;
     std::optional<snow::Weather> weather_;  // for which flake_mass_ was computed
     float flake_mass_ = 0;

@@ -9,7 +9,7 @@ import threading
 
 import pytest
 
-from conftest import PATIENCE, SMALL, STEPS, Flakes, fails_with_one_line, small
+from conftest import PATIENCE, SMALL, STEPS, VARIANTS, Flakes, fails_with_one_line, small
 
 STEP = "step01_cpu_points"
 FEW = [*SMALL, "--particles", 100, "--frames", 3]
@@ -147,3 +147,16 @@ def test_memory_that_is_short(programs, step):
     result = programs.run(step, *small(step), "--particles", 12_000_000, "--frames", 2,
                           preexec_fn=limit_memory)
     assert fails_with_one_line(result, 1, "memory", "--particles")
+
+
+@pytest.mark.only_software("memory that is the process's own, and so can be kept short")
+@pytest.mark.parametrize("variant", VARIANTS["step06_accumulation"])
+def test_a_snow_cover_without_memory_is_refused_at_once(programs, variant):
+    """Before the scene is read and voxelised, of which a line each would tell."""
+    def limit_memory():
+        resource.setrlimit(resource.RLIMIT_AS, (3_000_000_000, 3_000_000_000))
+
+    result = programs.run("step06_accumulation", *SMALL, "--voxels", 1024, "--frames", 1, "--variant",
+                          variant, preexec_fn=limit_memory)
+    assert fails_with_one_line(result, 1, "--voxels", "snow")
+    assert "scene" not in result.stdout and "voxels:" not in result.stdout

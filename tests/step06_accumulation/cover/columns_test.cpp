@@ -100,7 +100,7 @@ protected:
     Window window{command()};
     const double slope = std::tan(glm::radians(window.options().weather.repose));  // the steepest
     SolidScene solid{window};
-    SnowCover cover{solid.grid};
+    SnowCover cover{solid.grid.resolution};
     Columns columns{solid, cover};
     UniformBlock<snow::Weather> weather_block;
 };
