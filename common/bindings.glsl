@@ -27,3 +27,4 @@
 
 // Image units
 #define DEPTH_IMAGE 0
+#define VOXELS_IMAGE 0

@@ -31,7 +31,7 @@ struct Lesson {
     double minimum_gl;                         // OpenGL version, 3.3
     std::vector<Variant> variants;             // the first is the default
     bool fixed_points = false;                 // takes --groups and --point-size
-    bool has_scene = false;                    // takes --scene, --voxels and --up
+    bool has_scene = false;                    // takes --scene, --collision, --voxels, ...
     bool has_cover = false;                    // takes --dump-cover
     std::vector<const char*> extensions = {};  // that OpenGL must have besides its version
     std::vector<Limit> limits = {};
@@ -45,8 +45,10 @@ struct Options {
     unsigned groups = 2;          // pieces in which the pool is drawn
     float point_size = 1;         // pixels, of emitter 0's flakes; emitter 1's are twice as wide
     std::filesystem::path scene;  // where has_scene: the courtyard unless given
-    char up = 'y';                // the axis that points up in the scene file
-    int voxels = 256;             // along the longest axis of the scene
+    std::filesystem::path collision;  // other triangles to land on; empty: those of the scene
+    char up = 'y';                    // the axis that points up in the scene file
+    int voxels = 256;                 // along the longest axis of the scene
+    std::string voxeliser = "cpu";    // where the grid is made, or "gpu"
     std::filesystem::path dump_cover;
 
     // The first flake of a group; of group `groups`, one past the last of all.

@@ -1,11 +1,39 @@
 #include "step05_collision/solid_scene.hpp"
 
+#include <chrono>
+#include <iostream>
+
 #include "common/window.hpp"
 #include "step05_collision/ground.hpp"
+#include "step05_collision/voxelise_on_gpu.hpp"
+
+namespace {
+
+std::optional<Scene> load_collision(const Options& options, const Scene& drawn)
+{
+    if (options.collision.empty()) return {};
+    const bool drawn_is_empty = drawn.vertices.empty();
+    return load_scene(options.collision, options.up, drawn_is_empty ? nullptr : &drawn.placement);
+}
+
+VoxelGrid make_grid(const Options& options, const Scene& obstacle)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    VoxelGrid grid = options.voxeliser == "gpu" ? voxelise_on_gpu(obstacle, options.voxels)
+                                                : voxelise(obstacle, options.voxels);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    std::cout << "voxels: " << grid.resolution << "^3 of " << grid.cell_size << " m in "
+              << 4 * grid.words.size() << " bytes, made in " << time.count() << " ms (--voxeliser "
+              << options.voxeliser << ")" << std::endl;
+    return grid;
+}
+
+}  // namespace
 
 SolidScene::SolidScene(const Window& window)
     : scene(load_scene(window.options().scene, window.options().up)),
-      grid(voxelise(scene, window.options().voxels)), voxels(upload_voxels(grid)),
+      collision(load_collision(window.options(), scene)),
+      grid(make_grid(window.options(), obstacle())), voxels(upload_voxels(grid)),
       drawn(with_ground(scene, grid)), mesh(drawn), pictures(drawn)
 {}
 

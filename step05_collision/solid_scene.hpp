@@ -1,6 +1,8 @@
 // The scene, in every form that the steps need: read once, however often the snow begins anew.
 #pragma once
 
+#include <optional>
+
 #include "common/program.hpp"
 #include "common/scene/scene.hpp"
 #include "step05_collision/scene_mesh.hpp"
@@ -10,14 +12,18 @@
 class Window;
 
 struct SolidScene {
-    explicit SolidScene(const Window& window);  // from the file and with the voxels of its options
+    explicit SolidScene(const Window& window);  // from the files and with the voxels of its options
+
+    // The triangles that flakes land on.
+    const Scene& obstacle() const { return collision ? *collision : scene; }
 
     Scene scene;
-    VoxelGrid grid;   // to be landed on
-    GlObject voxels;  // the grid, on the GPU
-    Scene drawn;      // the scene and the ground beside it
-    SceneMesh mesh;
-    ScenePictures pictures;
+    std::optional<Scene> collision;  // to be landed on instead: --collision
+    VoxelGrid grid;                  // of the obstacle
+    GlObject voxels;                 // the grid on the GPU
+    Scene drawn;                     // the scene, and the ground beside the obstacle
+    SceneMesh mesh;                  // the same on the GPU
+    ScenePictures pictures;          // on it
 };
 
 // Gives the program in use the grid's place in the world (grid.glsl), and with it its voxels

@@ -22,7 +22,7 @@ void run_triangles(Window& window)
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
     const SolidScene& solid = window.shared<SolidScene>();
-    const TriangleTexture triangles(solid.scene);
+    const TriangleTexture triangles(solid.obstacle());
     const Ledger ledger;
 
     UniformBlock<Weather> weather_block;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -48,7 +47,7 @@ private:
             inside.clear();
             for (const uint32_t triangle : triangles) {
                 const size_t first = 3 * size_t(triangle);
-                if (!triangle_touches_box(
+                if (!snow::triangle_touches_box(
                         scene_.corner(first).position, scene_.corner(first + 1).position,
                         scene_.corner(first + 2).position, centre, margin * half_size))
                     continue;
@@ -90,7 +89,7 @@ bool VoxelGrid::solid(ivec3 cell) const
     return (words[row * size_t(resolution / 32) + size_t(cell.x / 32)] >> (cell.x % 32)) & 1u;
 }
 
-VoxelGrid voxelise(const Scene& scene, int resolution)
+VoxelGrid place_grid(const Scene& scene, int resolution)
 {
     vec3 minimum(-8, 0, -8), maximum(8, 6, 8);  // m, for the empty scene
     if (!scene.vertices.empty()) minimum = maximum = scene.vertices.front().position;
@@ -108,9 +107,13 @@ VoxelGrid voxelise(const Scene& scene, int resolution)
     // it.
     grid.origin.y = -0.999f * grid.cell_size;
     grid.words.resize(size_t(resolution) * size_t(resolution) * size_t(resolution) / 32);
+    return grid;
+}
+
+VoxelGrid voxelise(const Scene& scene, int resolution)
+{
+    VoxelGrid grid = place_grid(scene, resolution);
     Octree(scene, grid);
-    std::cout << "voxels: " << resolution << "^3 of " << grid.cell_size << " m in "
-              << 4 * grid.words.size() << " bytes" << std::endl;
     return grid;
 }
 

@@ -17,6 +17,9 @@ struct VoxelGrid {
     bool solid(glm::ivec3 cell) const;  // false outside the grid
 };
 
+// Where the grid of a scene lies, with nothing in it yet.
+VoxelGrid place_grid(const Scene& scene, int resolution);
+
 // Marks every voxel that a triangle of the scene touches, by dividing space as an octree does: a
 // cube that no triangle touches is done with, any other is divided into eight, down to single
 // voxels. Says on stderr how far it is if that takes longer than half a second.

@@ -199,9 +199,13 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     if (lesson.has_scene) {
         app.add_option("--scene", command.scene,
                        "OBJ file to snow on, or none (the built-in courtyard)");
-        app.add_option("--up", up, "axis that points up in that file (y)")
+        app.add_option("--collision", command.collision,
+                       "OBJ file to land on instead, in the scene's coordinates (the scene)");
+        app.add_option("--up", up, "axis that points up in those files (y)")
             ->check(CLI::IsMember({"y", "z"}));
         app.add_option("--voxels", command.voxels, "voxels along the scene's longest axis (256)");
+        app.add_option("--voxeliser", command.voxeliser, "where their grid is made (cpu)")
+            ->check(CLI::IsMember({"cpu", "gpu"}));
     }
     if (lesson.fixed_points) {
         app.add_option("--groups", command.groups, "pieces in which the pool is drawn (2)")

@@ -25,15 +25,8 @@ dvec3 turn(dvec3 p, char up)
     return up == 'z' ? dvec3(p.x, p.z, -p.y) : p;
 }
 
-// Where the points lie in the world, and by what the scene was scaled for that.
-struct Fitted {
-    std::vector<vec3> points;
-    double factor;
-};
-
-// Moves and scales the scene into its box. In double precision, as its coordinates may be large and
-// differ little: those of maps count from the equator.
-Fitted fit(const std::filesystem::path& path, const Obj& obj, char up)
+// How to move and scale the scene into its box.
+Placement fit(const std::filesystem::path& path, const Obj& obj, char up)
 {
     dvec3 least(INFINITY), most(-INFINITY);
     for (const Polygon& polygon : obj.polygons) {
@@ -55,10 +48,26 @@ Fitted fit(const std::filesystem::path& path, const Obj& obj, char up)
         if (size[axis] > 0) factor = std::min(factor, room[axis] / size[axis]);
     }
     const dvec3 foot(0.5 * (least.x + most.x), least.y, 0.5 * (least.z + most.z));
-    Fitted fitted{{}, factor};
+    return {factor, foot};
+}
+
+// Where its points lie in the world. Computed in double precision, as coordinates may be large and
+// differ little: those of maps count from the equator.
+std::vector<vec3> place(const std::filesystem::path& path, const Obj& obj, char up,
+                        const Placement& placement)
+{
+    const double most = 100;  // m; beyond, voxels would be too large for what is drawn
+    std::vector<vec3> points;
     for (const dvec3& point : obj.points)
-        fitted.points.emplace_back(factor * (turn(point, up) - foot));
-    return fitted;
+        points.emplace_back(placement.factor * (turn(point, up) - placement.foot));
+    for (const Polygon& polygon : obj.polygons) {
+        for (const Corner& corner : polygon.corners) {
+            if (glm::length(points[corner.point]) <= most) continue;
+            refuse_scene(path, "it reaches farther than 100 m from the scene that it belongs to "
+                               "(give both the same coordinates)");
+        }
+    }
+    return points;
 }
 
 // Vertices that are the same in every bit are one.
@@ -153,12 +162,13 @@ private:
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, char up)
+Scene load_scene(const std::filesystem::path& path, char up, const Placement* other)
 {
     if (path == "none") return {};
     Obj obj = read_obj(path);
     if (obj.polygons.empty()) refuse_scene(path, "it has no faces (is it a Wavefront OBJ file?)");
-    const auto [points, factor] = fit(path, obj, up);
+    const Placement placement = other != nullptr ? *other : fit(path, obj, up);
+    const std::vector<vec3> points = place(path, obj, up, placement);
     obj.materials.warnings.print();
     orient(obj.polygons, points);
     for (vec3& normal : obj.normals) normal = turn(normal, up);
@@ -170,8 +180,9 @@ Scene load_scene(const std::filesystem::path& path, char up)
                      [&](const Polygon& a, const Polygon& b) { return kind(a) < kind(b); });
 
     Scene scene = Builder(obj, points).scene;
+    scene.placement = placement;
     std::cout << "scene " << path.filename().string() << ": " << scene.indices.size() / 3
-              << " triangles, scaled by " << factor << "; their " << scene.indices.size()
+              << " triangles, scaled by " << placement.factor << "; their " << scene.indices.size()
               << " corners share " << scene.vertices.size() << " vertices" << std::endl;
     return scene;
 }

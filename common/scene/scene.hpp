@@ -22,10 +22,17 @@ struct Submesh {
     size_t first, count;  // of the scene's indices
 };
 
+// How coordinates of a file become those of the world: p is factor * (p - foot), y up.
+struct Placement {
+    double factor = 1;
+    glm::dvec3 foot{0};
+};
+
 struct Scene {
     std::vector<Vertex> vertices;   // each once, however many triangles have a corner there
     std::vector<uint32_t> indices;  // three make a triangle, counter-clockwise from outside
     std::vector<Submesh> submeshes;
+    Placement placement;
 
     // Of all triangles one after the other, three each.
     const Vertex& corner(size_t i) const { return vertices[indices[i]]; }
@@ -36,5 +43,6 @@ struct Scene {
 // axis, 'y' or 'z', that points up in the file. Polygons with more than three corners are divided;
 // sheets face up and bodies outwards, whichever way the file has them; what has no normals and is
 // in no smoothing group is flat, what has no colour is grey, and what gets lost is told on stderr.
-// The path "none" is the empty scene. Throws std::runtime_error naming file and line.
-Scene load_scene(const std::filesystem::path& path, char up);
+// The path "none" is the empty scene. With the placement of another scene it comes to lie where it
+// lies to that in the files. Throws std::runtime_error naming file and line.
+Scene load_scene(const std::filesystem::path& path, char up, const Placement* other = nullptr);

@@ -126,7 +126,7 @@ void expect_grid_is_right(const Scene& scene, int resolution)
               size_t(resolution) * size_t(resolution) * size_t(resolution) / 8);
 
     const float half = 0.5f * grid.cell_size;
-    const std::vector<bool> same_test = brute_force(scene, grid, half, triangle_touches_box);
+    const std::vector<bool> same_test = brute_force(scene, grid, half, snow::triangle_touches_box);
     // Where a triangle only grazes a voxel, rounding decides: the two tests need not agree. So the
     // second one asks for voxels a hair smaller and a hair larger; 1e-5 is ten times what rounding
     // moves a point 10 m from the origin.
