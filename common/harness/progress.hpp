@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <iostream>
 
 // Says on stderr how far something is, every half second, if it takes longer than that.
@@ -10,7 +11,9 @@ public:
     explicit Progress(const char* what) : what_(what) {}
     ~Progress()
     {
-        if (reported_) std::cerr << "\r" << what_ << " 100 %\n";
+        if (!reported_) return;
+        if (std::uncaught_exceptions() == 0) std::cerr << "\r" << what_ << " 100 %";
+        std::cerr << "\n";
     }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

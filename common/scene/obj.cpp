@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/harness/progress.hpp"
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -17,9 +19,11 @@ public:
     Obj read() &&
     {
         Statements statements(path_);
+        Progress progress("reading the scene");
         Polygon polygon;  // what the next one will have but its corners
         while (const std::optional<Statement> statement = statements.next()) {
             line_ = statement->line;
+            if (progress.due()) progress.report(statements.done());
             if (statement->keyword == "v") {
                 read_point(without_comment(statement->rest));
             } else if (statement->keyword == "f") {

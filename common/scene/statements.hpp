@@ -28,6 +28,9 @@ public:
     // Nothing after the last.
     std::optional<Statement> next();
 
+    // How much of the file has been handed out, 0 to 1.
+    double done() const { return double(at_) / double(text_.size()); }
+
 private:
     size_t pass_line();
     bool is_joined(size_t begin, size_t end) const;
