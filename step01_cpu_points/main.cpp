@@ -54,6 +54,7 @@ void run(Window& window)
 }
 
 void run_hexagons(Window& window);  // hexagons.cpp
+void run_threads(Window& window);   // threads.cpp
 
 int main(int argc, char** argv)
 {
@@ -62,6 +63,9 @@ int main(int argc, char** argv)
         {.name = "step01_cpu_points",
          .idea = "snow moved by a loop on the CPU and drawn point by point with glBegin and glEnd",
          .minimum_gl = 1.5,
-         .variants = {{"one-loop", run}, {"three-loops", run}, {"hexagons", run_hexagons}},
+         .variants = {{"one-loop", run},
+                      {"three-loops", run},
+                      {"hexagons", run_hexagons},
+                      {"threads", run_threads}},
          .fixed_points = true});
 }
