@@ -31,6 +31,7 @@ struct Lesson {
     double minimum_gl;                         // OpenGL version, 3.3
     std::vector<Variant> variants;             // the first is the default
     bool fixed_points = false;                 // takes --groups and --point-size
+    std::vector<std::string> hinted = {};      // variants that take --hint
     bool has_scene = false;                    // takes --scene, --collision, --voxels, ...
     bool has_cover = false;                    // takes --dump-cover
     std::vector<const char*> extensions = {};  // that OpenGL must have besides its version
@@ -44,6 +45,7 @@ struct Options {
     unsigned timelapse = 1;       // time steps in place of one
     unsigned groups = 2;          // pieces in which the pool is drawn
     float point_size = 1;         // pixels, of emitter 0's flakes; emitter 1's are twice as wide
+    std::string hint = "stream";  // for glBufferData: or dynamic, or static
     std::filesystem::path scene;  // where has_scene: the courtyard unless given
     std::filesystem::path collision;  // other triangles to land on; empty: those of the scene
     char up = 'y';                    // the axis that points up in the scene file

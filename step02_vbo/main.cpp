@@ -10,6 +10,7 @@
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
 #include "step01_cpu_points/update.hpp"
+#include "step02_vbo/usage.hpp"
 
 using namespace snow;
 
@@ -18,13 +19,14 @@ void run(Window& window)
     const Options& options = window.options();
     const Weather& weather = options.weather;
     const bool orphan = options.variant == "orphan";
+    const GLenum hint = usage(options.hint);
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
     const GlObject buffer = make_buffer();
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, hint);
     check_memory("the flakes", double(bytes));
 
     glClearColor(0.05f, 0.10f, 0.10f, 1.0f);
@@ -41,7 +43,7 @@ void run(Window& window)
             glBindBuffer(GL_ARRAY_BUFFER, buffer);
             // The draw of the frame before may still be reading: the driver copies, or waits.
             // Unless the buffer gets new storage first, and leaves the old to the GPU: an orphan.
-            if (orphan) glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+            if (orphan) glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, hint);
             glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.data());
         }
         {
@@ -67,6 +69,8 @@ void run(Window& window)
 }
 
 void run_persistent(Window& window);  // persistent.cpp
+void run_arrays(Window& window);      // arrays.cpp
+void run_soa(Window& window);         // soa.cpp
 
 int main(int argc, char** argv)
 {
@@ -75,6 +79,11 @@ int main(int argc, char** argv)
         {.name = "step02_vbo",
          .idea = "the snow of step 1, uploaded to a vertex buffer and drawn with one call",
          .minimum_gl = 1.5,
-         .variants = {{"subdata", run}, {"orphan", run}, {"persistent", run_persistent}},
-         .fixed_points = true});
+         .variants = {{"subdata", run},
+                      {"orphan", run},
+                      {"persistent", run_persistent},
+                      {"arrays", run_arrays},
+                      {"soa", run_soa}},
+         .fixed_points = true,
+         .hinted = {"subdata", "orphan", "soa"}});
 }

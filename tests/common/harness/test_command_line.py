@@ -76,6 +76,24 @@ def test_an_option_a_step_cannot_honour_is_an_error(programs, step, arguments):
     assert fails_with_one_line(result, BAD_USAGE, arguments.split()[0])
 
 
+@pytest.mark.parametrize("step, arguments", [
+    ("step02_vbo", "nonsense"), ("step02_vbo", "stream --hint static"),
+    ("step02_vbo", "static --variant arrays"), ("step02_vbo", "static --variant persistent"),
+    ("step01_cpu_points", "static"), ("step03_shader_points", "static"),
+])
+def test_a_hint_that_nobody_takes_is_an_error(programs, step, arguments):
+    """Only step 2 calls glBufferData as it is told, and not in all its variants."""
+    result = programs.run(step, "--hint", *arguments.split(), environment={"DISPLAY": None})
+    assert fails_with_one_line(result, BAD_USAGE, "--hint")
+
+
+@pytest.mark.parametrize("variant", ["subdata", "orphan", "soa"])
+@pytest.mark.parametrize("hint", ["stream", "dynamic", "static"])
+def test_a_hint_changes_no_flake(programs, variant, hint):
+    run = ["step02_vbo", "--particles", 500, "--frames", 30, "--variant", variant]
+    assert programs.dump(*run, "--hint", hint) == programs.dump("step01_cpu_points", *run[1:5])
+
+
 @pytest.mark.parametrize("step", STEPS)
 def test_help(programs, step):
     result = programs.run(step, "--help", environment={"DISPLAY": None})
