@@ -19,7 +19,7 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.seed = seed;
     weather.variation = 0.15f;
     weather.snowfall = 0.1f;  // a blizzard, so that there is something to see within a minute
-    weather.temperature = -2;
+    weather.temperature = -14;  // in which stars grow, see step 3
     weather.repose = 38;  // of fresh snow
     // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the
     // pool are in the air for the same time and release in equal share (pool = rate x flight time,

@@ -1,6 +1,6 @@
 // The variant "soa": same as main.cpp, but the flakes are no array of structs: they are a struct of
-// arrays. All positions lie in one of them, and no more than that is uploaded: 12 bytes a flake, not
-// 32. In return the update has to gather each flake from four places, and to scatter it again.
+// arrays. All positions lie in one of them, and no more than that is uploaded: 12 bytes a flake,
+// not 32. In return the update has to gather each flake from four places, and to scatter it again.
 
 #include <GL/glew.h>
 

@@ -1,9 +1,9 @@
 #version 330 core
-// A snow crystal: one of the sixteen pictures of the atlas, chosen and turned by the flake's index.
+// A snow crystal: one of the pictures of the atlas, turned by the flake's index.
 
-#include "common/snow.glsl"
+#include "step03_shader_points/habit.glsl"
 
-uniform sampler2D crystals;  // 4 x 4 tiles
+uniform sampler2D crystals;
 
 flat in uint index;
 in float coverage;
@@ -11,13 +11,11 @@ out vec4 colour;
 
 void main()
 {
-    uint bits = hash(index);
-    float angle = float(bits >> 8u) * (6.2831853 / 16777216.0);
+    float angle = float(hash(index) >> 8u) * (6.2831853 / 16777216.0);
     mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
     vec2 place = turn * (2.0 * gl_PointCoord - 1.0);  // -1 to 1 across the sprite
-    vec2 tile = vec2(bits & 3u, (bits >> 2u) & 3u);
     // Before any pixel is discarded: the mipmap level follows from the neighbours' places in the picture.
-    float opacity = texture(crystals, (tile + 0.5 + 0.5 * place) / 4.0).a;
+    float opacity = crystal_opacity(crystals, crystal_tile(index), place);
     if (dot(place, place) > 1.0) discard;
     colour = vec4(vec3(1.0), coverage * opacity);
 }

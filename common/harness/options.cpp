@@ -132,8 +132,8 @@ void check_hint(const CommandLine& command)
 {
     const std::vector<std::string>& hinted = command.lesson.hinted;
     if (std::find(hinted.begin(), hinted.end(), command.variant) != hinted.end()) return;
-    throw CLI::ValidationError(
-        "--hint", "is for glBufferData, which --variant " + command.variant + " does not call");
+    throw CLI::ValidationError("--hint", "is for glBufferData, which --variant " + command.variant +
+                                             " does not call");
 }
 
 // AZIMUTH,ELEVATION,DISTANCE: degrees, degrees and m, within what the mouse can do.

@@ -1,12 +1,12 @@
 #version 430 core
 // A snow crystal, a drop or a hailstone.
 
-#include "common/weather_block.glsl"
+#include "step03_shader_points/habit.glsl"
 
-uniform sampler2D crystals;  // 4 x 4 tiles, see step 3
+uniform sampler2D crystals;
 
 in vec2 place;
-flat in uint crystal;
+flat in vec2 tile;
 flat in float width;
 flat in vec4 look;
 
@@ -14,8 +14,7 @@ out vec4 colour;
 
 void main()
 {
-    vec2 tile = vec2(crystal & 3u, (crystal >> 2u) & 3u);
-    float picture = texture(crystals, (tile + 0.5 + 0.5 * place) / 4.0).a;
+    float picture = crystal_opacity(crystals, tile, place);
     float squared = dot(place, place);  // of the distance from the middle
     float opacity = 0.0, shade = 1.0;
     if (weather.kind == rain_kind) {

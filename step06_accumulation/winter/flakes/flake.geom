@@ -2,7 +2,7 @@
 // Makes of a flake, a point, what an open shutter sees of it: a rectangle along its way across the window. A
 // drop that has come down becomes a splash.
 
-#include "common/weather_block.glsl"
+#include "step03_shader_points/habit.glsl"
 #include "step06_accumulation/winter/camera/camera.glsl"
 
 layout(points) in;
@@ -22,7 +22,7 @@ in Flake
 flake[];
 
 out vec2 place;         // -1 to 1 across the flake: turned with the crystal, or with its way
-flat out uint crystal;  // random bits that pick its picture
+flat out vec2 tile;     // its picture in the atlas
 flat out float width;   // pixels
 flat out vec4 look;     // its colour, and its opacity
 
@@ -60,7 +60,7 @@ void draw(vec3 position, vec3 velocity, float exposure, float diameter, float op
         vec2 pixel = pixel_of(now) - 0.5 * length_of_way * along + 0.5 * drawn * side.x * across +
                      0.5 * (drawn + length_of_way) * side.y * along;
         place = weather.kind == rain_kind ? side : turn * (side.x * across + side.y * along);
-        crystal = hash(flake[0].index);
+        tile = crystal_tile(flake[0].index);
         width = drawn;
         look = vec4(flake[0].colour, opacity);
         gl_Position = now.w * vec4(2.0 * pixel / vec2(camera.window_size), front.z / front.w, 1.0);
