@@ -9,6 +9,7 @@
 // Buffers that shaders write
 #define FEEDBACK_BUFFER 0  // transform feedback
 #define LEDGER_BUFFER 0    // atomic counters
+#define FLAKES_BUFFER 0    // shader storage
 #define COVER_BUFFER 1     // shader storage
 #define SUMS_BUFFER 2      // shader storage
 

@@ -18,6 +18,7 @@ SHADERS = [
     ("step04_transform_feedback/update.vert", "step04_transform_feedback", "feedback"),
     ("step04_transform_feedback/update.frag", "step04_transform_feedback", "texture"),
     ("step04_transform_feedback/flake_texture.vert", "step04_transform_feedback", "texture"),
+    ("step04_transform_feedback/update.comp", "step04_transform_feedback", "compute"),
     ("step04_transform_feedback/flake_state.glsl", "step05_collision", "voxels"),
     ("step05_collision/voxel_walk.glsl", "step05_collision", "voxels"),
     ("step05_collision/collide_triangles.glsl", "step05_collision", "triangles"),
