@@ -8,5 +8,5 @@ layout(location = 3) in float rest;     // s
 
 void main()
 {
-    draw_sprite(position, rest);
+    draw_sprite(uint(gl_VertexID), position, rest);
 }

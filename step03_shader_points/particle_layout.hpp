@@ -7,11 +7,12 @@
 #include "common/snow.hpp"
 
 // Points the four attributes of the bound vertex array at the buffer bound to GL_ARRAY_BUFFER.
-inline void describe_particles()
+// stride: bytes from one Particle there to the next.
+inline void describe_particles(GLsizei stride = sizeof(snow::Particle))
 {
-    const auto field = [](GLuint location, GLint floats, size_t offset) {
+    const auto field = [stride](GLuint location, GLint floats, size_t offset) {
         glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(snow::Particle),
+        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, stride,
                               reinterpret_cast<const void*>(offset));
     };
     field(0, 3, offsetof(snow::Particle, position));

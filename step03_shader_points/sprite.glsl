@@ -1,4 +1,4 @@
-// What a vertex shader has to do to draw flake gl_VertexID as a point sprite.
+// What a vertex shader has to do to draw a flake as a point sprite.
 
 #include "common/weather_block.glsl"
 
@@ -9,11 +9,11 @@ uniform float window_height;  // pixels
 flat out uint index;  // of the flake: picks its crystal
 out float coverage;   // opacity of the sprite as a whole, 0 to 1
 
-// position: of the flake, m. rest: how long it has lain, s; it fades while it melts.
-void draw_sprite(vec3 position, float rest)
+// which: the flake's index. position: m. rest: how long it has lain, s; it fades while it melts.
+void draw_sprite(uint which, vec3 position, float rest)
 {
     const float least_pixels = 2.0;  // a narrower sprite would flicker as it moves from pixel to pixel
-    index = uint(gl_VertexID);
+    index = which;
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
     // The sprite stands upright in its flake's depth, so a floor would cut off its lower half: draw it as

@@ -10,5 +10,6 @@ void main()
 {
     int width = textureSize(position_age, 0).x;
     ivec2 pixel = ivec2(gl_VertexID % width, gl_VertexID / width);
-    draw_sprite(texelFetch(position_age, pixel, 0).xyz, texelFetch(velocity_rest, pixel, 0).w);
+    draw_sprite(uint(gl_VertexID), texelFetch(position_age, pixel, 0).xyz,
+                texelFetch(velocity_rest, pixel, 0).w);
 }

@@ -84,15 +84,18 @@ void run(Window& window)
     window.dump(flakes);
 }
 
-void run_texture(Window& window);  // texture.cpp
-void run_compute(Window& window);  // compute.cpp
+void run_texture(Window& window);   // texture.cpp
+void run_compute(Window& window);   // compute.cpp
+void run_geometry(Window& window);  // geometry.cpp
 
 int main(int argc, char** argv)
 {
-    return run_lesson(
-        argc, argv,
-        {.name = "step04_transform_feedback",
-         .idea = "the snow of step 3, moved by the GPU as well as drawn by it",
-         .minimum_gl = 3.3,
-         .variants = {{"feedback", run}, {"texture", run_texture}, {"compute", run_compute}}});
+    return run_lesson(argc, argv,
+                      {.name = "step04_transform_feedback",
+                       .idea = "the snow of step 3, moved by the GPU as well as drawn by it",
+                       .minimum_gl = 3.3,
+                       .variants = {{"feedback", run},
+                                    {"texture", run_texture},
+                                    {"compute", run_compute},
+                                    {"geometry", run_geometry}}});
 }

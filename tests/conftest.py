@@ -20,7 +20,7 @@ VARIANTS = {
     "step01_cpu_points": ["one-loop", "three-loops", "hexagons", "threads"],
     "step02_vbo": ["subdata", "orphan", "persistent", "arrays", "soa"],
     "step03_shader_points": ["disc", "texture"],
-    "step04_transform_feedback": ["feedback", "texture", "compute"],
+    "step04_transform_feedback": ["feedback", "texture", "compute", "geometry"],
     "step05_collision": ["voxels", "triangles"],
     "step06_accumulation": ["winter", "cells"],
 }

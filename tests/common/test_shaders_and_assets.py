@@ -18,7 +18,11 @@ SHADERS = [
     ("step04_transform_feedback/update.vert", "step04_transform_feedback", "feedback"),
     ("step04_transform_feedback/update.frag", "step04_transform_feedback", "texture"),
     ("step04_transform_feedback/flake_texture.vert", "step04_transform_feedback", "texture"),
+    ("step04_transform_feedback/flake_geometry.vert", "step04_transform_feedback", "geometry"),
     ("step04_transform_feedback/update.comp", "step04_transform_feedback", "compute"),
+    ("step04_transform_feedback/update_geometry.vert", "step04_transform_feedback", "geometry"),
+    ("step04_transform_feedback/update.geom", "step04_transform_feedback", "geometry"),
+    ("step04_transform_feedback/flake_output.glsl", "step04_transform_feedback", "feedback"),
     ("step04_transform_feedback/flake_state.glsl", "step05_collision", "voxels"),
     ("step05_collision/voxel_walk.glsl", "step05_collision", "voxels"),
     ("step05_collision/collide_triangles.glsl", "step05_collision", "triangles"),
@@ -120,7 +124,7 @@ def test_shaders_that_do_not_fit_together(run, copy):
 
 
 def test_feedback_varying_that_no_shader_writes(run, copy):
-    path = copy / "step04_transform_feedback/flake_state.glsl"
+    path = copy / "step04_transform_feedback/flake_output.glsl"
     path.write_text(path.read_text().replace("out float rest", "float rest"))
     result = run("step04_transform_feedback", "feedback")
     assert fails_with_one_line(result, 1, "link", "update.vert")

@@ -2,7 +2,8 @@
 
 import pytest
 
-from conftest import SMALL, fails_with_one_line
+from conftest import SMALL, VARIANTS, fails_with_one_line
+from pictures import read
 
 STEP = "step04_transform_feedback"
 
@@ -13,6 +14,27 @@ def test_compute_needs_opengl_4_3(programs):
     result = programs.run(STEP, *SMALL, "--frames", 1, "--variant", "compute", environment=older)
     assert fails_with_one_line(result, 1, "compute needs OpenGL 4.3", "feedback")
     programs.run_well(STEP, *SMALL, "--frames", 1, "--variant", "feedback", environment=older)
+
+
+@pytest.mark.parametrize("variant", VARIANTS[STEP][1:])
+def test_the_same_picture(programs, tmp_path, variant):
+    """Each flake with its own size, whatever its place in the buffer."""
+    def picture(name):
+        path = tmp_path / f"{name}.png"
+        programs.run_well(STEP, "--size", "320x180", "--particles", 800, "--timelapse", 100, "--frames", 5,
+                          "--set", "diameter_0=0.5", "--set", "diameter_1=1", "--variant", name,
+                          "--screenshot", path)
+        return read(path)
+
+    # All flakes have one colour, so their order counts for nothing but the rounding of each blend.
+    assert abs(picture(variant) - picture(VARIANTS[STEP][0])).max() <= 8
+
+
+@pytest.mark.only_software("it can be told to lack an extension")
+def test_geometry_needs_feedback_objects(programs):
+    without = {"MESA_EXTENSION_OVERRIDE": "-GL_ARB_transform_feedback2"}
+    result = programs.run(STEP, *SMALL, "--frames", 1, "--variant", "geometry", environment=without)
+    assert fails_with_one_line(result, 1, "geometry needs OpenGL 4.0", "feedback")
 
 
 @pytest.mark.only_software("a card may take more")
