@@ -2,7 +2,7 @@
 // of floating-point numbers, and a fragment shader moves them while one triangle is drawn over all
 // of it, as GPUs did it before transform feedback (Introduction to Computer Graphics project sheet,
 // part 3: "the integration can be done in the fragment shader"). New calls: glFramebufferTexture2D,
-// glDrawBuffers, glGetTexImage.
+// glDrawBuffers, glCheckFramebufferStatus, glGetTexImage.
 
 #include <GL/glew.h>
 
@@ -69,6 +69,11 @@ void run_texture(Window& window)
                                state.velocity_rest, 0);
         const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
         glDrawBuffers(2, both);
+        // That it can draw to textures of this kind, two at once, a card has to say itself.
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+            throw std::runtime_error(
+                "--variant texture: this card cannot draw to two RGBA32F textures: try feedback");
+        }
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     int now = 0;           // the state that holds the flakes as they are

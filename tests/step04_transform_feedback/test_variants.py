@@ -37,6 +37,12 @@ def test_geometry_needs_feedback_objects(programs):
     assert fails_with_one_line(result, 1, "geometry needs OpenGL 4.0", "feedback")
 
 
+def test_a_card_that_cannot_draw_to_such_textures(programs):
+    result = programs.run(STEP, *SMALL, "--frames", 1, "--variant", "texture",
+                          environment=programs.preloaded("refuse_framebuffer"))
+    assert fails_with_one_line(result, 1, "cannot draw", "RGBA32F", "feedback")
+
+
 @pytest.mark.only_software("a card may take more")
 def test_more_flakes_than_a_storage_buffer_holds(programs):
     """Mesa's software renderer takes 128 MiB, other than a vertex buffer of any size."""
