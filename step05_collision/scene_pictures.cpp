@@ -66,13 +66,16 @@ ScenePictures::ScenePictures(const Scene& scene)
     : white_(make_one_colour(glm::vec3(1))),
       grey_(make_one_colour(glm::sqrt(Material{}.colour)))  // which picture.glsl squares
 {
-    Progress progress("loading pictures");
-    for (const Submesh& submesh : scene.submeshes) {
-        if (progress.due())
-            progress.report(double(of_submesh_.size()) / double(scene.submeshes.size()));
-        of_submesh_.push_back(load(submesh.material));
+    {
+        Progress progress("loading pictures");
+        for (const Submesh& submesh : scene.submeshes) {
+            if (progress.due())
+                progress.report(double(of_submesh_.size()) / double(scene.submeshes.size()));
+            of_submesh_.push_back(load(submesh.material));
+        }
     }
     of_submesh_.push_back(white_);
+    std::cerr << warnings_ << std::flush;  // below the line of the progress
 }
 
 GLuint ScenePictures::load(const Material& material)
@@ -83,7 +86,7 @@ GLuint ScenePictures::load(const Material& material)
         try {
             place->second = upload(material);
         } catch (const std::runtime_error& error) {
-            std::cerr << "warning: " << error.what() << "; one colour takes its place" << std::endl;
+            warnings_ += "warning: " + std::string(error.what()) + "; one colour takes its place\n";
         }
     }
     if (place->second != 0) return place->second;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,4 +27,5 @@ private:
     std::map<std::pair<std::filesystem::path, std::filesystem::path>, GlObject> loaded_;
     GlObject white_, grey_;
     std::vector<GLuint> of_submesh_;
+    std::string warnings_;
 };
