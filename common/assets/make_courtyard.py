@@ -22,14 +22,16 @@ SPRING = 2.0                    # height at which an arch leaves its columns
 LEG = 0.17                      # half the thickness of the arches; the width of their stones
 UP = (0.0, 1.0, 0.0)
 
-MATERIALS = {                   # colour from afar; the lamp's glass also has its own light (Ke)
-    "paving_a": (0.47, 0.47, 0.48), "paving_b": (0.43, 0.43, 0.45), "paving_c": (0.51, 0.50, 0.49),
-    "floor_a": (0.60, 0.54, 0.46), "floor_b": (0.47, 0.40, 0.34), "plaster": (0.80, 0.69, 0.54),
+# Colour from afar; the lamp's glass also has its own light (Ke). In the order in which they are drawn:
+# what hides much comes early, what is hidden late.
+MATERIALS = {
     "tile_a": (0.58, 0.31, 0.23), "tile_b": (0.52, 0.27, 0.20), "tile_c": (0.63, 0.36, 0.26),
-    "stone_a": (0.69, 0.62, 0.52), "stone_b": (0.79, 0.74, 0.65), "ice": (0.55, 0.66, 0.72),
     "wood": (0.49, 0.39, 0.29), "wood_dark": (0.31, 0.23, 0.17), "iron": (0.13, 0.14, 0.16),
     "bark": (0.25, 0.20, 0.16), "soil": (0.22, 0.17, 0.13), "leaf": (0.20, 0.31, 0.18),
     "pot": (0.60, 0.37, 0.27), "lamp_glass": (0.95, 0.85, 0.62, 1.00, 0.72, 0.36),
+    "stone_a": (0.69, 0.62, 0.52), "stone_b": (0.79, 0.74, 0.65), "ice": (0.55, 0.66, 0.72),
+    "plaster": (0.80, 0.69, 0.54), "floor_a": (0.60, 0.54, 0.46), "floor_b": (0.47, 0.40, 0.34),
+    "paving_a": (0.47, 0.47, 0.48), "paving_b": (0.43, 0.43, 0.45), "paving_c": (0.51, 0.50, 0.49),
 }
 PICTURES = {                    # of the materials whose names begin so; how often it fits in 1 m
     "paving": ("stone", 1), "floor": ("plaster", 1), "plaster": ("plaster", 0.5),
