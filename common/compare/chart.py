@@ -32,8 +32,9 @@ def draw_chart(file, experiment, lines, machine):
     """Writes the chart as PNG. `lines` is {line: {x: Point}}; `machine` says what was measured."""
     pyplot.rcParams.update({"font.size": 17, "axes.spines.top": False, "axes.spines.right": False,
                             "axes.titlelocation": "left", "axes.titlesize": 19})
-    panels = {"times": [draw_frame_times], "parts": [draw_parts], "stages": []}[experiment.chart]
-    if any(point.stages for points in lines.values() for point in points.values()):
+    panels = {"times": [draw_frame_times], "parts": [draw_parts], "stages": [],
+              "lines": [draw_frame_times]}[experiment.chart]
+    if experiment.chart != "lines" and any(point.stages for points in lines.values() for point in points.values()):
         panels.append(draw_stages)
     figure, axes = pyplot.subplots(1, len(panels) or 1, squeeze=False, figsize=(16, 9),
                                    constrained_layout={"w_pad": 0.15, "h_pad": 0.1})

@@ -5,6 +5,7 @@
     common/compare/compare.py --steps 1,2,4 --counts 10000,1000000
     common/compare/compare.py --steps 2 --variants 2:orphan,2:persistent
     common/compare/compare.py --experiment point-size       one of --list
+    common/compare/compare.py --merge lab1/compare.csv lab2/compare.csv    many computers in one chart
 
 Writes three files into --out, named compare or after the experiment:
 
@@ -14,6 +15,9 @@ Writes three files into --out, named compare or after the experiment:
          frames of their own (software renderers). "line" and "x" are its place on the chart.
   .md    what was measured on which machine, and the table, over all repeats
   .png   the chart: frame time against flakes, and beside it the stages at the most flakes
+
+With --merge nothing is measured: from the .csv of one experiment on several computers it writes a
+.md and a .png, named after the experiment and "-merged", with a line for each computer.
 
 Repeats are interleaved: everything runs once, then everything again, so that a machine that slows
 down as it warms up slows all alike. A program that fails or hangs is reported and the rest go on;
@@ -40,11 +44,12 @@ import subprocess
 import sys
 import tempfile
 from collections import defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays as it is
 from experiments import EXPERIMENTS, FRAMES, STEADY, Experiment, Here, Run  # noqa: E402
+from merge import COLUMNS, Refused, read_tables  # noqa: E402
 
 try:
     from tqdm import tqdm
@@ -239,6 +244,29 @@ def gather(results):
     return dict(lines)
 
 
+def gather_merged(rows):
+    """The same of the rows of read_tables, whose computers each have lines of their own."""
+    groups = defaultdict(list)
+    for (number, _, _), row in rows:
+        run = Run(row["step"], row["particles"], f"{row['line']}, computer {number}", row["x"],
+                  row["variant"])
+        groups[run].append(row)
+    lines = defaultdict(dict)
+    for run, parts in groups.items():
+        stages = defaultdict(lambda: defaultdict(list))
+        for row in parts:
+            stages[row["clock"]][row["stage"]].append(row["median_ms"])
+        medians = stages.pop("swap", {}).get("frame")
+        if not medians:
+            continue
+        p95s = [row["p95_ms"] for row in parts if row["stage"] == "frame"]
+        stages = {clock: {stage: statistics.median(times) for stage, times in parts.items()}
+                  for clock, parts in stages.items()}
+        lines[run.line][run.x] = Point(run, run.variant, statistics.median(medians),
+                                       statistics.median(p95s), min(medians), max(medians), stages)
+    return dict(lines)
+
+
 # ---- Writing.
 
 def write_whole(path, content):
@@ -260,8 +288,7 @@ def as_csv(experiment, results):
     """The tidy table, see the top of this file."""
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow("experiment,line,x,step,variant,options,particles,width,height,renderer,"
-                    "repeat,stage,clock,frames,median_ms,p95_ms".split(","))
+    writer.writerow(COLUMNS)
     for result in results:
         run = result.run
         for clock, stages in {"swap": {"frame": result.frames}, **result.stages}.items():
@@ -269,7 +296,7 @@ def as_csv(experiment, results):
                 writer.writerow([
                     experiment.name, run.line, run.x, run.step, result.variant,
                     options_text(run), run.particles, *result.size.split("x"),
-                    result.renderer, result.repeat, stage, clock, len(times),
+                    result.renderer, processor(), result.repeat, stage, clock, len(times),
                     f"{statistics.median(times):.4f}", f"{percentile_95(times):.4f}"])
     return text.getvalue()
 
@@ -278,7 +305,7 @@ def processor():
     linux = Path("/proc/cpuinfo")
     model = linux.exists() and re.search(r"model name\s*: (.*)", linux.read_text("utf-8"))
     name = model[1] if model else platform.processor() or platform.machine()
-    return f"{name}, {os.cpu_count()} cores"
+    return f"{name}, {os.cpu_count()} cores, {platform.system()}"
 
 
 def machine(results):
@@ -303,7 +330,7 @@ def report(experiment, lines, results, notes, settings, chart):
             ". **This is software rendering:** no graphics card took part, and these times say "
             "nothing about one." if is_software(renderer) else ""))
     sizes = dict.fromkeys(result.size for result in results)
-    text += [f"- Processor: {processor()}, {platform.system()}",
+    text += [f"- Processor: {processor()}",
              f"- Window: {', '.join(sizes)} pixels, vsync off",
              f"- Measured: {settings.frames} frames a run after {settings.warmup} of warm-up, "
              f"repeats: {settings.repeats}"
@@ -332,6 +359,21 @@ def report(experiment, lines, results, notes, settings, chart):
     else:
         text[-1] += (" CPU and GPU work at the same time, so their stages do not add up to a "
                      "frame.")
+    return "\n".join(text) + "\n"
+
+
+def merged_report(experiment, lines, computers, chart):
+    """The whole .md of --merge as text."""
+    text = [f"# {experiment.title}", ""]
+    for number, renderer, cpu in computers:
+        text.append(f"- Computer {number}: {renderer}"
+                    + " (software rendering)" * is_software(renderer) + f"; {cpu}")
+    if chart:
+        text += ["", f"![{experiment.title}]({experiment.name}.png)"]
+    text += ["", *table(experiment, lines, 2), "",
+             "Frame times run from swap to swap. Median and 95th percentile are the medians of those "
+             "of the repeats on that computer. *Repeats*: half of what lies between the least and the "
+             "greatest median of a repeat; smaller differences mean nothing."]
     return "\n".join(text) + "\n"
 
 
@@ -387,6 +429,8 @@ def parse_arguments():
     add("--experiment", choices=EXPERIMENTS, metavar="NAME",
         help="run one of --list, which has its own steps and variants")
     add("--list", action="store_true", help="list the experiments")
+    add("--merge", type=Path, nargs="+", metavar="CSV",
+        help="put tables that were written before, on several computers, into one")
     add("--frames", type=number, metavar="N", help=f"frames that count in each run ({FRAMES})")
     add("--warmup", type=like(r"\d+", "a whole number", int), metavar="N",
         help=f"frames before those ({STEADY}: until the snowfall is as dense as it gets)")
@@ -400,6 +444,8 @@ def parse_arguments():
     add("--build", type=Path, default=ROOT / "build", metavar="DIR",
         help="folder that holds the programs (build, beside common)")
     settings = parser.parse_args()
+    if settings.merge and (settings.experiment or settings.counts or settings.list):
+        parser.error("--merge measures nothing: it takes files, and --out")
     if settings.experiment and settings.counts and not EXPERIMENTS[settings.experiment].counts:
         parser.error(f"{settings.experiment} has its own numbers of flakes")
     return settings
@@ -460,6 +506,13 @@ def main():
         for experiment in EXPERIMENTS.values():
             print(f"{experiment.name:20} {experiment.title}\n{'':20} {experiment.source}")
         return 0
+    if settings.merge:
+        try:
+            return merge(settings)
+        except Refused as error:
+            sys.exit(f"compare.py: {error}")
+        except OSError as error:
+            sys.exit(f"compare.py: cannot write {error.filename}: {error.strerror}")
     settings.build = settings.build.resolve()
     if not any(shutil.which(name, path=str(settings.build)) for name in STEPS.values()):
         sys.exit(f"compare.py: {settings.build} holds none of the programs: {REMEDY}")
@@ -471,6 +524,42 @@ def main():
         return end.status
     except OSError as error:
         sys.exit(f"compare.py: cannot write {error.filename}: {error.strerror}")
+
+
+def merge(settings):
+    """Writes what --merge asks for; returns the exit status."""
+    name, rows = read_tables(settings.merge)
+    if name != "compare" and name not in EXPERIMENTS:
+        raise Refused(f"{settings.merge[0]} is of no experiment that this compare.py knows: '{name}'")
+    measured = comparison(settings) if name == "compare" else EXPERIMENTS[name]
+    computers = list(dict.fromkeys(computer for computer, _ in rows))
+    # Each line has a colour of its own, as where a source is followed.
+    experiment = replace(measured, name=f"{name}-merged", source="the files", baseline="",
+                         chart="lines", title=f"{measured.title}: {len(computers)} computers")
+    lines = gather_merged(rows)
+    settings.out.mkdir(parents=True, exist_ok=True)
+    caption = "\n".join(f"computer {number}: {renderer}; {cpu}"
+                        for number, renderer, cpu in computers)
+    picture = settings.out / f"{experiment.name}.png"
+    has_chart = write_chart(picture, experiment, lines, caption)
+    text = settings.out / f"{experiment.name}.md"
+    write_whole(text, merged_report(experiment, lines, computers, has_chart).encode())
+    print(*[picture] * has_chart, text, sep="\n")
+    return 0
+
+
+def write_chart(path, experiment, lines, caption):
+    """Writes the .png. False: it cannot, for there is no matplotlib."""
+    try:
+        from chart import draw_chart  # which takes a second, too long for --list
+    except ImportError:
+        print("compare.py: without matplotlib there is no chart (python3-matplotlib)",
+              file=sys.stderr)
+        return False
+    picture = io.BytesIO()
+    draw_chart(picture, experiment, lines, caption)
+    write_whole(path, picture.getvalue())
+    return True
 
 
 def compare(settings):
@@ -493,16 +582,9 @@ def compare(settings):
     lines = gather(results)
     paths = [settings.out / (experiment.name + suffix) for suffix in (".csv", ".png", ".md")]
     write_whole(paths[0], as_csv(experiment, results).encode())
-    try:
-        from chart import draw_chart  # which takes a second, too long for --list
-        picture = io.BytesIO()
-        draw_chart(picture, experiment, lines, machine(results))
-        write_whole(paths[1], picture.getvalue())
-    except ImportError:
-        print("compare.py: without matplotlib there is no chart (python3-matplotlib)",
-              file=sys.stderr)
+    has_chart = write_chart(paths[1], experiment, lines, machine(results))
+    if not has_chart:
         del paths[1]
-    has_chart = len(paths) == 3
     write_whole(paths[-1],
                 report(experiment, lines, results, notes, settings, has_chart).encode())
     print(*paths, sep="\n")

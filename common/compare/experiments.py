@@ -58,7 +58,9 @@ class Experiment:
     size: str = "1280x720"
     baseline: str = ""    # the line that the table compares all others with
     reference: Tuple[str, tuple] = ("", ())  # the source's own curve: its name, (x, ms) pairs
-    chart: str = "times"  # against x; "parts": what each costs; "stages": of a frame, and no more
+    # "times": against x, and the stages beside them; "lines": without those; "stages": those alone;
+    # "parts": what each costs.
+    chart: str = "times"
 
     def conclusion(self, lines):
         """What was found here, as one sentence."""

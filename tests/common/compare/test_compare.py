@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import re
 import signal
 import stat
 import subprocess
@@ -330,6 +331,7 @@ def test_a_full_disk_leaves_what_was_there(fakes, no_chart):
     ["--variants", "orphan"], ["--size", "wide"], ["--experiment", "luck"], ["--timeout", "nan"],
     ["--frames", "0"], ["nonsense"],
     ["--experiment", "groups", "--counts", "10"],
+    ["--merge"], ["--merge", "a.csv", "--experiment", "groups"],
 ])
 def test_a_wrong_command_line(fakes, arguments):
     assert compare(fakes, *arguments).returncode == 2
@@ -372,6 +374,85 @@ def test_parts_are_those_that_the_program_lists_as_on(fakes):
     assert ("| step06_accumulation | plain | without fog | 999 | 2.00 | 2.00 | 500 | ±0 % | 0.33 "
             "| -4.00 |") in text
     assert is_png(fakes.parent / "comparison" / "parts.png")
+
+
+# ---- Tables of many computers, merged.
+
+def table(renderer="llvmpipe", processor="Chip, 2 cores", experiment="compare", size="64,48", factor=1):
+    """What one of them might have written: two steps, two numbers of flakes, two repeats."""
+    header = ("experiment,line,x,step,variant,options,particles,width,height,renderer,processor,"
+              "repeat,stage,clock,frames,median_ms,p95_ms\n")
+    return header + "".join(
+        f'{experiment},{number} {step[7:]},{x},{step},plain,,{x},{size},"{renderer}","{processor}",'
+        f"{repeat},{stage},{clock},9,{factor * (number * x / 100 + repeat)},{factor * x}\n"
+        for number, step in enumerate(STEPS[:2], 1) for x in (100, 1000) for repeat in (0, 1)
+        for stage, clock in (("frame", "swap"), ("draw", "cpu")))
+
+
+def merge(folder, *tables, environment=None):
+    paths = []
+    for number, content in enumerate(tables):
+        paths.append(folder / f"{number}.csv")
+        if content is not None:
+            paths[-1].write_bytes(content if isinstance(content, bytes) else content.encode())
+    (folder / "build").mkdir(exist_ok=True)
+    return compare(folder / "build", "--merge", *paths, environment=environment)
+
+
+def test_merge(tmp_path):
+    result = merge(tmp_path, table("Card, fast"), table("Card, slow", factor=3),
+                   table("Card, slow", factor=4))
+    assert result.returncode == 0, result.stderr
+    folder = tmp_path / "comparison"
+    assert sorted(path.name for path in folder.iterdir()) == ["compare-merged.md", "compare-merged.png"]
+    assert is_png(folder / "compare-merged.png")
+    text = (folder / "compare-merged.md").read_text()
+    assert "- Computer 1: Card, fast; Chip, 2 cores\n- Computer 2: Card, slow; Chip" in text
+    assert "- Computer 3: Card, slow; Chip" in text  # another of the same make
+    # Two repeats of 10 and 11 ms, thrice as long on the second computer.
+    assert ("| step01_cpu_points | plain | 1 cpu_points, computer 1 | 1,000 | 10.50 | 1000.00 | 95 "
+            "| ±5 % | CPU: draw 10.50 |") in text
+    assert "| 1 cpu_points, computer 2 | 1,000 | 31.50 | 3000.00 |" in text
+    assert "| 2 vbo, computer 3 | 100 | 10.00 |" in text
+
+
+def test_what_was_measured_can_be_merged(fakes, no_chart):
+    for name in ("a", "b"):
+        assert compare(fakes, "--steps", 1, "--counts", 10, "--out", fakes.parent / name,
+                       environment=no_chart).returncode == 0
+    result = compare(fakes, "--merge", fakes.parent / "a" / "compare.csv",
+                     fakes.parent / "b" / "compare.csv", environment=no_chart)
+    assert result.returncode == 0, result.stderr
+    assert written(fakes) == ["compare-merged.md"]
+    text = (fakes.parent / "comparison" / "compare-merged.md").read_text()
+    processor, = re.findall(r"- Processor: (.*)", (fakes.parent / "a" / "compare.md").read_text())
+    assert f"Computer 2: llvmpipe (LLVM 15, 256 bits) (software rendering); {processor}\n" in text
+
+
+@pytest.mark.parametrize("other, says", [
+    (None, "1.csv: No such file"),
+    ("", "1.csv is no table of this compare.py: it has no column 'experiment'"),
+    (table().replace("processor", "cpu"), "1.csv is no table of this compare.py: it has no column 'proc"),
+    (table().partition("\n")[0] + "\n", "1.csv holds no frame times"),
+    (table().replace("frame,", "scene,"), "1.csv holds no frame times"),
+    (table() + "compare,what?\n", "1.csv, line 18: malformed CSV"),
+    (table().replace(",1000,", ",many,", 1), "1.csv, line 6: malformed CSV"),
+    (table().replace(",1000\n", ",nan\n", 1), "1.csv, line 6: malformed CSV"),
+    (table() + "\"compare", "1.csv, line 17: malformed CSV"),
+    (b"\x89PNG\r\n\x1a\n\0\xff", "1.csv"),
+    (table(experiment="loops"), "1.csv is of the experiment 'loops', "),
+    (table(size="640,480"), "1.csv was measured in a window of 640x480, "),
+], ids=range(12))
+def test_tables_that_cannot_be_merged(tmp_path, no_chart, other, says):
+    result = merge(tmp_path, table(), other, environment=no_chart)
+    assert result.returncode == 1 and result.stderr.count("\n") == 1
+    assert says in result.stderr
+    assert not (tmp_path / "comparison").exists()
+
+
+def test_merging_what_nobody_knows(tmp_path, no_chart):
+    result = merge(tmp_path, table(experiment="luck"), environment=no_chart)
+    assert result.returncode == 1 and result.stderr.count("\n") == 1 and "'luck'" in result.stderr
 
 
 @pytest.mark.parametrize("triangles", [12, 100, 800, 1000, 10000, 70000])
