@@ -65,11 +65,13 @@ def draw_frame_times(axes, experiment, lines):
     if curve:
         axes.plot(*zip(*curve), label=reference, color="#888888", linewidth=2, marker=".",
                   linestyle=(0, (1, 1)))
-    axes.set_title("Frame time: median, and up to the 95th percentile")
-    axes.set(xscale="log", yscale="log", xlabel=experiment.x_label, ylabel="frame time (ms)")
-    axes.axhline(SMOOTH, color="#555555", linewidth=1.5, linestyle=(0, (6, 3)))
-    axes.annotate("16.7 ms\n= 60 fps", (1, SMOOTH), xycoords=axes.get_yaxis_transform(),
-                  xytext=(6, 0), textcoords="offset points", va="center", fontsize=14)
+    what = experiment.measured
+    axes.set_title(f"{what[0].upper()}{what[1:]}: median, and up to the 95th percentile")
+    axes.set(xscale="log", yscale="log", xlabel=experiment.x_label, ylabel=f"{what} (ms)")
+    if what == "frame time":
+        axes.axhline(SMOOTH, color="#555555", linewidth=1.5, linestyle=(0, (6, 3)))
+        axes.annotate("16.7 ms\n= 60 fps", (1, SMOOTH), xycoords=axes.get_yaxis_transform(),
+                      xytext=(6, 0), textcoords="offset points", va="center", fontsize=14)
     label_ticks(axes.xaxis, {x for points in lines.values() for x in points}.union(
         x for x, _ in curve))
     low, high = axes.get_ylim()

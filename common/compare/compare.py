@@ -173,7 +173,13 @@ def measure(run, repeat, size, settings):
             code = result.returncode
             said = [f"killed: {signal.strsignal(-code)}" if code < 0 else f"exit status {code}"]
             raise Failed((result.stderr.strip().splitlines() or said)[0])
-        return read_csv(path, run, repeat)
+        measured = read_csv(path, run, repeat)
+        if run.says:
+            said = re.search(run.says, result.stdout)
+            if not said:
+                raise Failed(f"does not say '{run.says}'")
+            measured.frames, measured.stages = [float(said[1])], {}
+        return measured
 
 
 def options_text(run):
@@ -207,7 +213,7 @@ def measure_all(runs, experiment, settings):
                 results.append(measure(run, repeat, size, settings))
                 frames, actual_size = len(results[-1].frames), results[-1].size
                 problem = (f"was cut short: {frames} of {settings.frames} frames"
-                           if frames < settings.frames else
+                           if frames < settings.frames and not run.says else
                            f"had a window of {actual_size} instead of {size}"
                            if actual_size != size else "")
             except Failed as error:
@@ -291,7 +297,9 @@ def as_csv(experiment, results):
     writer.writerow(COLUMNS)
     for result in results:
         run = result.run
-        for clock, stages in {"swap": {"frame": result.frames}, **result.stages}.items():
+        whole = {"program": {experiment.measured: result.frames}} if run.says else {
+            "swap": {"frame": result.frames}}
+        for clock, stages in {**whole, **result.stages}.items():
             for stage, times in stages.items():
                 writer.writerow([
                     experiment.name, run.line, run.x, run.step, result.variant,
@@ -324,6 +332,7 @@ def stages_text(point):
 
 def report(experiment, lines, results, notes, settings, chart):
     """The whole .md as text."""
+    of_frames = experiment.measured == "frame time"
     text = [f"# {experiment.title}", ""]
     for renderer in dict.fromkeys(result.renderer for result in results):
         text.append(f"- Renderer: {renderer}" + (
@@ -332,11 +341,12 @@ def report(experiment, lines, results, notes, settings, chart):
     sizes = dict.fromkeys(result.size for result in results)
     text += [f"- Processor: {processor()}",
              f"- Window: {', '.join(sizes)} pixels, vsync off",
-             f"- Measured: {settings.frames} frames a run after {settings.warmup} of warm-up, "
-             f"repeats: {settings.repeats}"
+             "- Measured: " + (f"{settings.frames} frames a run after {settings.warmup} of warm-up"
+                               if of_frames else f"{experiment.measured}, as the program says it")
+             + f", repeats: {settings.repeats}"
              + (", interleaved" if settings.repeats > 1 else " (which may differ by chance)")
              + f"; {datetime.date.today():%d %B %Y}"]
-    if settings.warmup + settings.frames / 2 < STEADY:
+    if of_frames and settings.warmup + settings.frames / 2 < STEADY:
         text.append(f"- The snowfall was still building up: not all flakes had been released (they "
                     f"are after {STEADY} frames).")
     text += [f"- Not as planned: {note}" for note in notes]
@@ -346,8 +356,9 @@ def report(experiment, lines, results, notes, settings, chart):
     if chart:
         text += ["", f"![{experiment.title}]({experiment.name}.png)"]
     text += ["", *table(experiment, lines, settings.repeats), "",
-             "Frame times run from swap to swap; median and 95th percentile are those of all "
-             "frames of all repeats. *Repeats*: half of what lies between the least and the "
+             ("Frame times run from swap to swap; median and 95th percentile are those of all "
+              "frames of all repeats." if of_frames else "Median and 95th percentile of all repeats.")
+             + " *Repeats*: half of what lies between the least and the "
              "greatest median of a repeat; smaller differences mean nothing."]
     if experiment.baseline:
         text[-1] += (f" *Ratio*: the frame time divided by that of \"{experiment.baseline}\" with "
@@ -356,7 +367,7 @@ def report(experiment, lines, results, notes, settings, chart):
         text[-1] += (" Stages were timed between calls of glFinish in frames of their own, which "
                      "lets nothing overlap: they show where the time goes, and may add up to more "
                      "than a frame. What they leave of it is clearing and showing the window.")
-    else:
+    elif of_frames:
         text[-1] += (" CPU and GPU work at the same time, so their stages do not add up to a "
                      "frame.")
     return "\n".join(text) + "\n"
@@ -382,15 +393,16 @@ def table(experiment, lines, repeats):
     base = lines.get(experiment.baseline, {})
     against = ["ratio", "difference, ms"] if experiment.baseline else []
     words = ["step", "variant"] + ["line"] * bool(experiment.source)
-    numbers = [experiment.x_label, "median, ms", "p95, ms", "fps", "repeats", *against]
+    fps = ["fps"] if experiment.measured == "frame time" else []
+    numbers = [experiment.x_label, "median, ms", "p95, ms", *fps, "repeats", *against]
     rows = [words + numbers + ["stages, ms"],
             ["---"] * len(words) + ["--:"] * len(numbers) + ["---"]]
     for line, points in lines.items():
         for x, point in sorted(points.items()):
             spread = f"±{50 * (point.high - point.low) / point.median:.0f} %"
             row = [point.run.step, point.variant, line][:len(words)]
-            row += [f"{x:,}", f"{point.median:.2f}", f"{point.p95:.2f}",
-                    f"{1000 / point.median:,.0f}", spread * (repeats > 1)]
+            row += [f"{x:,}", f"{point.median:.2f}", f"{point.p95:.2f}"]
+            row += [f"{1000 / point.median:,.0f}"] * len(fps) + [spread * (repeats > 1)]
             if against:
                 row += ([f"{point.median / base[x].median:.2f}",
                          f"{point.median - base[x].median:+.2f}"] if x in base else ["", ""])

@@ -30,6 +30,7 @@ class Run:
     variant: str = ""     # the program's default unless given
     options: Tuple[str, ...] = ()  # more of the program's command line
     size: str = ""        # WxH of the window; the experiment's unless given
+    says: str = ""        # a pattern: the program says a time, ms, that counts in place of its frames'
 
 
 class Here(NamedTuple):
@@ -61,6 +62,7 @@ class Experiment:
     # "times": against x, and the stages beside them; "lines": without those; "stages": those alone;
     # "parts": what each costs.
     chart: str = "times"
+    measured: str = "frame time"
 
     def conclusion(self, lines):
         """What was found here, as one sentence."""
@@ -146,6 +148,42 @@ def versus(other, at=None):
     return found
 
 
+# ---- And beyond: arrays, cores and what of the physics can be left out.
+
+def arrays(here):
+    return [Run(step, count, line, count, variant) for count in here.counts for step, line, variant in (
+        ("step01_cpu_points", "glBegin", "one-loop"), ("step02_vbo", "client-side arrays", "arrays"),
+        ("step02_vbo", "buffer", "subdata"), ("step02_vbo", "buffer, structure of arrays", "soa"))]
+
+
+def arrays_found(lines):
+    x = common_x(lines, *lines)[-1]
+    clauses = []
+    for name, points in lines.items():
+        upload = busiest(points[x]).get("upload")
+        clauses.append(f"{points[x].median:.2f} ms with {name}"
+                       + (f" (upload {upload:.2f})" if upload is not None else ""))
+    return f"at {x:,} flakes a frame takes " + ", ".join(clauses)
+
+
+ALL_PARTS = "all parts"
+
+
+def physics(here):
+    without = {"turbulence": "turbulence=0", "wind": "wind_x=0", "variation": "variation=0",
+               "melting": "melt_time=0", "sublimation": "lifetime=600"}
+    return [Run("step01_cpu_points", count, line, count, "one-loop", ("--set", "wind_x=2", *options))
+            for count in here.counts for line, options in [(ALL_PARTS, ())] + [
+                (f"without {part}", ("--set", setting)) for part, setting in without.items()]]
+
+
+def physics_found(lines):
+    x = common_x(lines, *lines)[-1]
+    times = [busiest(points[x]).get("update", 0) for points in lines.values()]
+    return (parts_found(lines) + f"; the update alone takes {min(times):.2f} to {max(times):.2f} ms (a "
+            "part that is left out is a number that is 0 or out of reach: it is worked with all the same)")
+
+
 # ---- Patrick: four sweeps, one at a time, in a window of 500 by 500.
 
 PATRICK = 'Patrick ("An Investigation of Snow Effects", 2000'
@@ -173,6 +211,48 @@ def groups(_here):
     return [Run(step, SWEEP_FLAKES, line, count, options=("--groups", str(count)))
             for count in (1, 2, 4, 16, 64, 256)
             for step, line in (("step01_cpu_points", "step 1"), ("step02_vbo", "step 2"))]
+
+
+# Two flakes a frame, as in her final snowfall, and more.
+YARDSTICK = (2 * CYCLE, 10000, 100000)
+
+
+def yardstick(here):
+    # The scene of step 5, with shading and depth: the programs draw polygons nowhere more simply.
+    path = here.folder / "cube.obj"
+    corners = [(x, y, z) for y in (0, 4) for z in (-2, 2) for x in (-2, 2)]
+    faces = ("1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4")
+    path.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in corners)
+                    + "".join(f"f {face}\n" for face in faces), encoding="ascii")
+    cube = ("--scene", str(path), "--voxels", "32", "--camera", "41,15,30")
+    return [run for count in YARDSTICK for run in (
+        Run("step05_collision", 0, "cube", count, options=cube),
+        Run("step02_vbo", count, "snowfall", count))]
+
+
+def yardstick_found(lines):
+    clauses = []
+    for x in common_x(lines, "cube", "snowfall"):
+        cube, snow = lines["cube"][x], lines["snowfall"][x]
+        clauses.append(f"with {x:,} flakes {snow.median:.2f} ms ({compared(snow, cube)})")
+    cube = lines["cube"][common_x(lines, "cube")[0]]
+    return (f"a frame of the cube, which stands still, takes {cube.median:.2f} ms; one "
+            "of the snowfall " + ", ".join(clauses))
+
+
+def timing_methods(_here):
+    return [Run("step02_vbo", particles, line, 500 * 500)
+            for particles, line in ((0, "empty window"), (SWEEP_FLAKES, "20,000 flakes"))]
+
+
+def timing_found(lines):
+    clauses = []
+    for name, points in lines.items():
+        point = points[max(points)]
+        clauses.append(f"{name}: {busiest(point)['draw']:.2f} ms for drawing alone, "
+                       f"{point.median:.2f} from swap to swap")
+    return ("; ".join(clauses) + "; what lies between is the rest of the program, and clearing and "
+            "showing the window, which drawing alone leaves out here")
 
 
 # ---- Hitchen: flakes against triangles.
@@ -223,6 +303,15 @@ def stage_share(here):
                 ("step06_accumulation", "step 6", ""))]
 
 
+def feedback_found(lines):
+    x = common_x(lines, "feedback", "compute")[-1]
+    feedback, compute = lines["feedback"][x], lines["compute"][x]
+    return (f"at {x:,} flakes a frame takes {feedback.median:.2f} ms with feedback and "
+            f"{compute.median:.2f} ms with compute ({compared(compute, feedback)})"
+            f"{updates(feedback, compute)}; the flakes take {64e-6 * x:,.2f} MB in two buffers and "
+            f"{32e-6 * x:,.2f} MB in one")
+
+
 def triangles_found(lines):
     xs = common_x(lines, "triangles")
     first, last = lines["triangles"][xs[0]], lines["triangles"][xs[-1]]
@@ -244,10 +333,21 @@ def spawn_rates(here):
     return [Run("step04_transform_feedback", rate * CYCLE, "step 4", rate) for rate in rates]
 
 
+def voxelisers(here):
+    scene = hills(here.folder, 10000)
+    return [Run("step05_collision", 0, f"on the {where.upper()}", voxels, "voxels",
+                (*scene, "--voxels", str(voxels), "--voxeliser", where), says=r"made in ([\d.]+) ms")
+            for voxels in (64, 128, 256) for where in ("cpu", "gpu")]
+
+
+def voxelisers_found(lines):
+    x = common_x(lines, "on the CPU", "on the GPU")[-1]
+    cpu, gpu = lines["on the CPU"][x], lines["on the GPU"][x]
+    return (f"10,000 triangles become a grid of {x}^3 voxels in {cpu.median:.1f} ms on the CPU and in "
+            f"{gpu.median:.1f} ms on the GPU ({compared(gpu, cpu)})")
+
+
 # ---- What each part of step 6 costs.
-
-ALL_PARTS = "all parts"
-
 
 def parts(here):
     program = "step06_accumulation"
@@ -291,6 +391,22 @@ EXPERIMENTS = {experiment.name: experiment for experiment in (
         "points very much lighter.",
         versus("hexagons", 10000), counts=2 * ((1000, 3000, 6000, 10000, 30000),)),
     Experiment(
+        "threads", "One loop on one core against all of them", "flakes",
+        variants_of_step_1("one-loop", "threads"),
+        f"{HITCHEN}, 2.5) tells of Saltvik's snowfall of 2006, which ran on several threads of the "
+        "processor and slowed down beyond 40,000 flakes.",
+        versus("threads"), counts=2 * ((10000, 100000, 1000000),), size="64x64",
+        warmup=(STEADY, 240), frames=(FRAMES, 20)),
+    Experiment(
+        "arrays", "Flake by flake, from arrays, from buffers", "flakes", arrays,
+        f"{JORGENSEN} expected much of vertex arrays, more of buffers and most of a structure of "
+        "arrays, and measured none of them.",
+        arrays_found, counts=2 * ((1000, 10000, 100000),)),
+    Experiment(
+        "physics", "What each part of the physics costs", "flakes", physics,
+        f"{JORGENSEN} switched some of the physics off and saw no effect on the performance.",
+        physics_found, counts=2 * ((100000,),), baseline=ALL_PARTS, chart="parts"),
+    Experiment(
         "window-size", "Size of the window", "pixels", window_sizes,
         f"{PATRICK}, 5.1.2) found that the size of the window affects the frame rate greatly: a "
         "processor that draws everything itself had 9.86 fps with an empty window of 500x500."),
@@ -309,6 +425,16 @@ EXPERIMENTS = {experiment.name: experiment for experiment in (
         f"{PATRICK}, 5.2.3) found one group of particles much faster than several that together "
         "release as many.",
         size="500x500"),
+    Experiment(
+        "timing-methods", "Drawing alone against the whole frame", "pixels", timing_methods,
+        f"{PATRICK}, table 2) timed an empty window at 9.857 fps by its drawing alone and at 9.862 by "
+        "the whole frame, and falling snow at 9.561 and 9.578: no significant difference.",
+        timing_found, size="500x500"),
+    Experiment(
+        "yardstick", "A cube of six polygons against the snowfall", "flakes", yardstick,
+        f"{PATRICK}, 5.2.4) had 9.42 fps with a cube and 9.58 with snow of two new flakes a frame, and "
+        "concluded that a game has room for snow.",
+        yardstick_found, size="500x500"),
     Experiment(
         "flakes-fixed-scene", "Flakes over a scene of 800 triangles", "flakes",
         flakes_fixed_scene,
@@ -333,6 +459,20 @@ EXPERIMENTS = {experiment.name: experiment for experiment in (
         size="2560x1440",
         reference=("Pettersson and Jin,\nGTX 1080 Ti",
                    ((1000, 0.8), (10000, 0.8), (100000, 1.1), (300000, 2.4)))),
+    Experiment(
+        "feedback-or-compute", "Transform feedback against a compute shader", "flakes",
+        lambda here: [Run("step04_transform_feedback", count, variant, count, variant)
+                      for count in here.counts for variant in ("feedback", "compute")],
+        f"{HITCHEN}, 2.4) has it from Rice (2016) that compute shaders are only slightly faster but "
+        "need significantly less memory.",
+        feedback_found, counts=((10000, 100000, 1000000), (1000, 10000, 100000))),
+    Experiment(
+        "voxeliser", "The voxel grid, built on the CPU and on the GPU", "voxels along an edge",
+        voxelisers,
+        'Pettersson and Jin ("EDAN35: A Snow Particle System", 4.1) built theirs on the CPU and named '
+        "the GPU as an option, to spend less time at the start.",
+        voxelisers_found, warmup=(0, 0), frames=(1, 1), size="64x64", chart="lines",
+        measured="time to build"),
     Experiment(
         "parts", "What each part of step 6 costs", "flakes", parts,
         f"{JORGENSEN} switched some of the physics off and saw no effect on the performance.",

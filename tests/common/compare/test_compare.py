@@ -15,8 +15,9 @@ import pytest
 from conftest import PATIENCE, ROOT, STEPS
 
 COMPARE = ROOT / "common" / "compare" / "compare.py"
-EXPERIMENTS = ("loops hexagons window-size point-size release-rate groups flakes-fixed-scene "
-               "scene-triangles stage-share spawn-rate parts").split()
+EXPERIMENTS = ("loops hexagons threads arrays physics window-size point-size release-rate groups "
+               "timing-methods yardstick flakes-fixed-scene scene-triangles stage-share spawn-rate "
+               "feedback-or-compute voxeliser parts").split()
 
 # Stands in for a program. Its frame times follow from its arguments, what it does from the file
 # NAME.does beside it; it writes down each start in the file "starts".
@@ -29,7 +30,8 @@ parser = argparse.ArgumentParser(formatter_class=argparse.RawDescriptionHelpForm
   arrows        0 on/off, which way the wind blows
   sparkle       1 on/off, now and then""")
 parser.add_argument("--benchmark", action="store_true", required=True)
-for name in "csv particles size frames warmup variant scene groups point-size set".split():
+for name in ("csv particles size frames warmup variant scene groups point-size set voxels "
+             "voxeliser").split():
     parser.add_argument("--" + name)
 options = parser.parse_args()
 with open(me.with_name("starts"), "a") as file:
@@ -362,6 +364,22 @@ def test_repeats_that_differ_as_much_as_what_they_measure(fakes, no_chart):
     assert "with hexagons (+0 %, no more than from repeat to repeat); the update" in text
 
 
+def test_a_program_that_does_not_say_what_is_measured(fakes, no_chart):
+    result = compare(fakes, "--experiment", "voxeliser", environment=no_chart)
+    assert result.returncode == 1 and "does not say 'made in" in result.stderr
+
+
+def test_what_a_program_says_counts_in_place_of_its_frames(fakes, no_chart):
+    for step in STEPS:
+        program = fakes / step
+        program.write_text(program.read_text() + 'print("made in 12.5 ms")\n')
+    assert compare(fakes, "--experiment", "voxeliser", environment=no_chart).returncode == 0
+    text = (fakes.parent / "comparison" / "voxeliser.md").read_text()
+    assert "| step05_collision | voxels | on the GPU | 256 | 12.50 | 12.50 | ±0 % |  |" in text
+    assert "in 12.5 ms on the CPU and in 12.5 ms on the GPU (+0 %, no more than" in text
+    assert "fps" not in text and "snowfall was still" not in text
+
+
 def test_parts_are_those_that_the_program_lists_as_on(fakes):
     assert compare(fakes, "--experiment", "parts", "--counts", 999, "--frames", 1).returncode == 0
     frames = frames_of(fakes.parent / "comparison" / "parts.csv")
@@ -487,7 +505,8 @@ def test_the_programs(real_build, tmp_path):
 
 @pytest.mark.parametrize("experiment", EXPERIMENTS)
 def test_the_experiments(real_build, tmp_path, experiment):
-    few = ["--counts", 50] if experiment == "parts" else []  # or it takes the longest by far
+    # Or they take the longest by far.
+    few = ["--counts", 50] if experiment in ("parts", "threads", "feedback-or-compute") else []
     result = compare(real_build, "--experiment", experiment, "--frames", 1, "--warmup", 1,
                      "--repeats", 1, "--size", "320x240", "--out", tmp_path, *few)
     assert result.returncode == 0, result.stderr
