@@ -26,6 +26,7 @@ Scene with_ground(Scene scene, const VoxelGrid& grid)
     const vec3 colour(0.20f, 0.21f, 0.17f);  // grass in winter
     const int step = std::max(1, int(finest / grid.cell_size));
 
+    if (scene.vertices.empty()) return scene;
     Submesh ground{{}, scene.indices.size(), 0};
     ground.material.colour = colour;
     for (int z = 0; z < grid.resolution; z += step) {
