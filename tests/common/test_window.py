@@ -347,9 +347,9 @@ def test_the_panel_lets_go_of_keys_and_of_the_mouse(open_program, tmp_path):
     program.point_at(60, first + 68)
     assert top() == first + 20
 
+    # Into a slider, if a frame sees it, which Escape then leaves before it quits.
     program.press("Tab")
-    program.picture(tmp_path)
-    program.press("Escape")
+    wait_until(lambda: program.press("Escape") or program.process.poll() is not None, "the end")
     program.ends_well()
 
 
