@@ -97,12 +97,16 @@ class Flakes:
 
 
 class Programs:
-    """Starts the programs of one build, always in `folder`, which is not theirs."""
+    """Starts the programs of one build, always in `folder`, which is not theirs.
 
-    def __init__(self, config, folder):
+    `build`: another folder than that of --build. `environment`: variables to set for each run.
+    """
+
+    def __init__(self, config, folder, build=None, environment=None):
         self.config = config
-        self.build = config.getoption("build").resolve()
+        self.build = build or config.getoption("build").resolve()
         self.folder = folder
+        self.environment = environment or {}
 
     def driver(self):
         """What the first line of a program says of it: renderer and OpenGL."""
@@ -125,7 +129,7 @@ class Programs:
 
     def run(self, step, *arguments, environment=None, **more):
         """Runs `step` to its end. `environment`: variables to set, or with None to unset."""
-        variables = {**os.environ, **(environment or {})}
+        variables = {**os.environ, **self.environment, **(environment or {})}
         variables = {name: value for name, value in variables.items() if value is not None}
         result = subprocess.run(self.command(step, *arguments), env=variables, text=True,
                                 capture_output=True, timeout=PATIENCE,
@@ -164,6 +168,13 @@ def programs(request, tmp_path_factory):
     if missing:
         pytest.exit(f"{programs.build} holds no {', '.join(missing)}: build first (tests/run.sh does)", 1)
     return programs
+
+
+@pytest.fixture(scope="session")
+def edited(programs):
+    """For `with edited("stepNN_name/solutions/1.patch", build="stepNN_name") as programs:`."""
+    from edited_copy import EditedCopy  # which imports this file
+    return EditedCopy(programs.config, programs.folder)
 
 
 def without_progress(errors):

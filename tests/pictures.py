@@ -16,7 +16,12 @@ def read(path):
 
 
 def check_picture(request, programs, name, actual):
-    """Compares with the reference picture of that name, or makes a new one if that is asked for.
+    """Compares with the reference picture of that name, or makes a new one if that is asked for."""
+    check_against(request, programs, REFERENCES / f"{name}.png", actual)
+
+
+def check_against(request, programs, reference, actual):
+    """Compares with the picture in that file, or makes a new one if that is asked for.
 
     At most 1 % of the pixels may differ by more than 24 of 255 levels in a channel.
     Mesa's rasterizer differs from release to release in the last bits: along the edges of triangles
@@ -24,7 +29,6 @@ def check_picture(request, programs, name, actual):
     test_one_snowfall.py) changes 10 pixels, a fiftieth of 1 %. Flakes a tenth too large change
     16 %, a light a fifth too weak 47 %.
     """
-    reference = REFERENCES / f"{name}.png"
     if request.config.getoption("new_references"):
         PIL.Image.fromarray(actual.astype(numpy.uint8)).save(reference, optimize=True)
     expected = read(reference)
@@ -34,7 +38,8 @@ def check_picture(request, programs, name, actual):
     if share > 0.01 and driver.is_asked_for(request.config):
         pytest.skip(f"only llvmpipe promises the reference picture: {100 * share:.1f} % of the pixels differ")
     if share > 0.01:
-        saved = programs.build / "pictures"
+        saved = request.config.getoption("build").resolve() / "pictures"
+        name = "_".join(reference.relative_to(ROOT).with_suffix("").parts[-2:])
         saved.mkdir(exist_ok=True)
         for kind, picture in (("actual", actual), ("expected", expected),
                               ("difference", difference)):
