@@ -144,6 +144,14 @@ class Programs:
         assert (result.returncode, result.stderr) == (0, "")
         return result
 
+    def calls(self, step, *arguments):
+        """What record_calls.cpp sees of a run with these arguments: a name and numbers for each call."""
+        path = self.folder / "calls"
+        self.run_well(step, *small(step), *arguments,
+                      environment={**self.preloaded("record_calls"), "CALLS_FILE": str(path)})
+        for name, *numbers in map(str.split, path.read_text().splitlines()):
+            yield name, *map(int, numbers)
+
     @functools.lru_cache(maxsize=None)
     def dump(self, step, *arguments):
         """The bytes of the dump after a run with these arguments; each is run only once."""

@@ -16,6 +16,34 @@ def test_compute_needs_opengl_4_3(programs):
     programs.run_well(STEP, *SMALL, "--frames", 1, "--variant", "feedback", environment=older)
 
 
+# GL_..._BARRIER_BIT
+VERTEX_ATTRIB_ARRAY, BUFFER_UPDATE, SHADER_STORAGE = 0x1, 0x200, 0x2000
+
+
+def test_compute_has_its_barriers(programs, tmp_path):
+    """Software keeps the order of all calls anyway, a card only as barriers say: whoever reads what a
+    dispatch wrote has one before it, of its own kind."""
+    flakes, steps, frames = 500, 3, 2
+    awaited = 0  # bits of the barriers since the last dispatch
+    readers = []
+    for name, *numbers in programs.calls(
+            STEP, "--variant", "compute", "--particles", flakes, "--timelapse", steps, "--frames", frames,
+            "--dump", tmp_path / "flakes.csv"):
+        if name == "glMemoryBarrier":
+            awaited |= numbers[0]
+        elif name == "glDispatchCompute":
+            assert not readers or awaited & SHADER_STORAGE
+            readers.append("update")
+            awaited = 0
+        elif name == "glDrawArrays":
+            assert awaited & VERTEX_ATTRIB_ARRAY
+            readers.append("draw")
+        elif name == "glGetBufferSubData":
+            assert awaited & BUFFER_UPDATE
+            readers.append("dump")
+    assert readers == [*["update"] * steps, "draw"] * frames + ["dump"]
+
+
 @pytest.mark.parametrize("variant", VARIANTS[STEP][1:])
 def test_the_same_picture(programs, tmp_path, variant):
     """Each flake with its own size, whatever its place in the buffer."""

@@ -94,6 +94,18 @@ def test_a_hint_changes_no_flake(programs, variant, hint):
     assert programs.dump(*run, "--hint", hint) == programs.dump("step01_cpu_points", *run[1:5])
 
 
+@pytest.mark.parametrize("variant", ["subdata", "orphan", "soa"])
+@pytest.mark.parametrize("hint, usage", [("stream", 0x88E0), ("dynamic", 0x88E8), ("static", 0x88E4)])
+def test_a_hint_is_what_opengl_is_told(programs, variant, hint, usage):
+    """GL_STREAM_DRAW and so on, each time that the buffer gets storage: with "orphan" in each frame, too."""
+    flakes, frames = 500, 3
+    told = [numbers for name, *numbers in programs.calls(
+        "step02_vbo", "--variant", variant, "--hint", hint, "--particles", flakes, "--frames", frames)
+        if name == "glBufferData"]
+    array_buffer, size = 0x8892, flakes * (12 if variant == "soa" else 32)
+    assert told == [[array_buffer, size, usage]] * (1 + frames if variant == "orphan" else 1)
+
+
 @pytest.mark.parametrize("step", STEPS)
 def test_help(programs, step):
     result = programs.run(step, "--help", environment={"DISPLAY": None})
