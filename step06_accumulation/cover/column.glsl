@@ -1,13 +1,14 @@
-// The columns of the grid are looked after in turns: in each time step every 64th row of them, so that the cost of
-// a frame is bounded and every column has its turn once in a round. No two neighbours have theirs at once: what a
-// column reads of its neighbours, and what it gives to them, nobody else touches meanwhile.
+// The columns of the grid are looked after in turns: in each time step one of every 8 x 8, so that the cost of a frame is
+// bounded and every column has its turn once in a round of 64. No two neighbours have theirs at once: what a column
+// reads of its neighbours, and what it gives to them, nobody else touches meanwhile.
 
 #include "step06_accumulation/cover/snow_cover.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
-const ivec2 stride = ivec2(4, 64);  // to the next columns that have their turn at once, along x and z
-uniform int first_x, first_z;       // of these columns
+uniform int first_x, first_z;  // of the columns that have their turn at once
+uniform int stride;            // from each to the next, along x and z
+uniform int scene_top;         // the lowest layer of cells above all of the scene
 
 // What is done to a column in its turn; `cell` is its lowest. Whoever includes this defines it.
 void take_turn(ivec3 cell);
@@ -17,6 +18,12 @@ void main()
     ivec2 column = ivec2(first_x, first_z) + stride * ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(column, ivec2(resolution)))) return;  // a group may reach beyond the grid
     take_turn(ivec3(column.x, 0, column.y));
+}
+
+// Is there nothing but air from this cell on up? Above the scene snow lies in one piece.
+bool is_open_sky(ivec3 cell)
+{
+    return cell.y >= resolution || (cell.y >= scene_top && mass_in(cell) == 0u);
 }
 
 // Does the snow in this cell lie open to the air?

@@ -1,5 +1,7 @@
 #include "step06_accumulation/cover/columns.hpp"
 
+#include <algorithm>
+
 namespace {
 
 constexpr unsigned turns = 64;  // time steps in a round, in which every column has its turn once
@@ -54,7 +56,8 @@ void Columns::set_depth(Program& program) const
     program.set_texture("snow_depth", DEPTH_UNIT, GL_TEXTURE_3D, depth_);
 }
 
-// No snow anywhere; and none can ever be within walls, or where there is nothing to lie on.
+// No snow anywhere; and none can ever be within walls, or where there is nothing to lie on. Finds
+// scene_top_, too.
 void Columns::clear_depth()
 {
     constexpr GLbyte unknown = -127;  // as a texture: -1
@@ -66,6 +69,7 @@ void Columns::clear_depth()
             for (int y = 0; y < n; ++y) {
                 const bool wall = y == 0 || solid_.grid.solid({x, y, z});  // as in_base has it
                 floor |= wall;
+                if (wall) scene_top_ = std::max(scene_top_, y + 1);
                 if (floor && !wall)
                     depth[(size_t(z) * size_t(n) + size_t(y)) * size_t(n) + size_t(x)] = 0;
             }
@@ -82,17 +86,24 @@ void Columns::clear_depth()
 
 void Columns::dispatch(Program& program, unsigned tick, int ticks)
 {
-    const unsigned n = unsigned(solid_.grid.resolution);
+    const int n = solid_.grid.resolution;
     program.use();
     set_voxels(program, solid_);
+    program.set("scene_top", scene_top_);
     cover_.bind();
-    for (unsigned turn = tick - unsigned(ticks); turn != tick; ++turn) {
-        program.set("first_z", int(turn % turns));
-        for (int x = 0; x < 4; ++x) {  // of a row every fourth column at once: no neighbours
-            program.set("first_x", x);
-            glDispatchCompute((n / 4 + 63) / 64, (n + turns - 1) / turns, 1);  // 64: local_size_x
-            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                            GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-        }
+    // Of every 8 x 8 columns one a time step. Four that follow each other lie 4 apart, where they
+    // are no neighbours yet: a frame that has made so many steps looks after them at once.
+    for (unsigned turn = tick - unsigned(ticks); turn != tick;) {
+        const int four = int(turn % turns) / 4, one = int(turn % 4);
+        const bool at_once = one == 0 && tick - turn >= 4;
+        const int stride = at_once ? 4 : 8;
+        program.set("first_x", four % 4 + 4 * (one % 2));
+        program.set("first_z", four / 4 + 4 * (one / 2));
+        program.set("stride", stride);
+        const unsigned groups = unsigned(n / stride + 7) / 8;  // 8: local_size_x and _y
+        glDispatchCompute(groups, groups, 1);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                        GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        turn += at_once ? 4 : 1;
     }
 }

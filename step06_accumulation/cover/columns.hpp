@@ -36,4 +36,5 @@ private:
     const SnowCover& cover_;
     Program settle_, melt_, measure_;
     GlObject depth_;
+    int scene_top_ = 1;  // the lowest layer of cells above all of the scene
 };

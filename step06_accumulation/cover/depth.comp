@@ -28,10 +28,11 @@ float smoothed(float depth, ivec3 place)
 void take_turn(ivec3 cell)
 {
     int lower = -1;  // height of the first cell above the surface below, where there is one
-    while (cell.y < resolution) {
+    while (true) {
         // Up to the first cell above a surface.
-        while (cell.y < resolution && !in_base(cell)) cell += up;
-        while (cell.y < resolution && in_base(cell)) cell += up;
+        while (cell.y < scene_top && !in_base(cell)) cell += up;
+        if (cell.y == scene_top) break;
+        while (in_base(cell)) cell += up;
         if (cell.y == resolution) break;
         uint sum = 0u;
         for (ivec3 above = cell; mass_in(above) > 0u; above += up) sum += mass_in(above);

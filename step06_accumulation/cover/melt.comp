@@ -10,9 +10,8 @@ void take_turn(ivec3 cell)
 {
     const float rate = 0.01 / 60.0;  // m/s for each degree: a thaw that can be watched
     uint most = uint(max(weather.temperature, 0.0) * rate * seconds / cell_size * float(full_cell));
-    for (; cell.y < resolution; ++cell.y) {
-        while (cell.y < resolution && !is_surface(cell)) ++cell.y;
-        if (cell.y == resolution) break;
+    for (; !is_open_sky(cell); ++cell.y) {
+        if (!is_surface(cell)) continue;
         uint amount = min(most, mass_in(cell));
         atomicAdd(mass[mass_index(cell)], 0u - amount);
         count_mass(melted_mass, amount);

@@ -54,12 +54,12 @@ void take_turn(ivec3 cell)
 {
     float slope = tan(radians(weather.repose));  // cells of height for one of distance
     float base = 0.0;                            // height of what the snow lies on, in cells
-    for (; cell.y < resolution; cell += up) {
+    for (; !is_open_sky(cell); cell += up) {
         // Up to the next snow.
-        for (; cell.y < resolution && mass_in(cell) == 0u; cell += up) {
+        for (; mass_in(cell) == 0u; cell += up) {
+            if (is_open_sky(cell)) return;
             if (in_base(cell)) base = float(cell.y + 1);
         }
-        if (cell.y == resolution) break;
         fall(cell);
         // And up to its surface.
         while (mass_in(cell + up) > 0u) cell += up;
