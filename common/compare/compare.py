@@ -341,7 +341,8 @@ def report(experiment, lines, results, notes, settings, chart):
     sizes = dict.fromkeys(result.size for result in results)
     text += [f"- Processor: {processor()}",
              f"- Window: {', '.join(sizes)} pixels, vsync off",
-             "- Measured: " + (f"{settings.frames} frames a run after {settings.warmup} of warm-up"
+             "- Measured: " + (f"{settings.frames} frames a run, of one time step each, after "
+                               f"{settings.warmup} of warm-up"
                                if of_frames else f"{experiment.measured}, as the program says it")
              + f", repeats: {settings.repeats}"
              + (", interleaved" if settings.repeats > 1 else " (which may differ by chance)")
@@ -445,7 +446,8 @@ def parse_arguments():
         help="put tables that were written before, on several computers, into one")
     add("--frames", type=number, metavar="N", help=f"frames that count in each run ({FRAMES})")
     add("--warmup", type=like(r"\d+", "a whole number", int), metavar="N",
-        help=f"frames before those ({STEADY}: until the snowfall is as dense as it gets)")
+        help=f"frames before those, most of them in time lapse ({STEADY}: until the snowfall is as "
+             "dense as it gets)")
     add("--repeats", type=number, default=3, metavar="N", help="how often to run everything (3)")
     add("--size", type=like(r"[1-9]\d*x[1-9]\d*", "WxH, such as 1280x720", str), metavar="WxH",
         help="window (1280x720; some experiments have their own)")

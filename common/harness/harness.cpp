@@ -28,6 +28,7 @@ void Harness::begin_run()
 {
     controls.restart = false;
     drawn_ = drawn_at_last_title_ = 0;
+    frames_in_last_ = 1;
     timer.clear();
     software_ = renders_in_software();
     std::cout << command.lesson.name << " " << command.variant << ": " << renderer_name()
@@ -50,9 +51,10 @@ bool Harness::enough() const
 void Harness::begin_frame(Camera& camera)
 {
     const Clock::time_point now = Clock::now();
-    frame_seconds = std::chrono::duration<double>(now - last_frame_).count();
+    frame_seconds = std::chrono::duration<double>(now - last_frame_).count() / frames_in_last_;
     last_frame_ = last_events_ = now;
-    pacing.begin_frame(command, frame_seconds, controls);
+    frames_in_last_ = frames_in_one(command, drawn_);
+    pacing.begin_frame(command, frame_seconds, frames_in_last_, controls);
     if (controls.touring) {
         const Pose pose = tour(float(tour_time_));
         camera.look(pose.eye, pose.target);
@@ -64,7 +66,7 @@ void Harness::begin_frame(Camera& camera)
                           : show_panel_ ? Timing::queries
                                         : Timing::off;
     if (timing != Timing::off) timer.begin_frame(timing == Timing::synchronised);
-    ++drawn_;
+    drawn_ += frames_in_last_;
 }
 
 void Harness::record(glm::ivec2 size, bool last)

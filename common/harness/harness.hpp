@@ -73,7 +73,8 @@ private:
     bool failed_ = false;
     double tour_time_ = 0;   // s since it began
     bool software_ = false;  // no graphics card behind this OpenGL
-    uint64_t drawn_ = 0;     // frames, warm-up included
+    uint64_t drawn_ = 0;     // frames, warm-up included, and those that another stood for
+    unsigned frames_in_last_ = 1;
     Clock::time_point last_frame_, last_swap_, last_title_, last_events_;
     uint64_t drawn_at_last_title_ = 0;
 };

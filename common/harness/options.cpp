@@ -243,12 +243,16 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     CLI::Option* vsync = app.add_flag("--vsync", command.vsync,
                                       "wait for the display (off, so that times can be compared)");
     app.add_option("--frames", command.frames, "stop after so many frames (run until closed)");
-    app.add_option("--warmup", command.warmup, "frames to run before the first that counts (0)");
+    app.add_option(
+        "--warmup", command.warmup,
+        "frames to run before the first that counts (0), all but some 60 of them in time "
+        "lapse, as nobody times them");
     app.add_option("--timelapse", command.timelapse, "how many times as fast it snows (1)")
         ->check(CLI::Range(1u, 1000u));
     app.add_flag(
            "--benchmark", command.benchmark,
-           "measure: panel hidden, 960 frames of warm-up (until all snow is out), 300 counted")
+           "measure: panel hidden, --warmup 960 (until all snow is out), --frames 300, and in "
+           "each that counts one time step")
         ->excludes(vsync);
     app.add_option("--csv", command.csv, "write the times of every frame to this file");
     app.add_flag("--realtime", command.realtime,

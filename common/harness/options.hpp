@@ -17,7 +17,7 @@ struct CommandLine : Options {
     bool tour = false;              // fly it through the courtyard
     bool vsync = false;
     std::optional<unsigned> frames;  // stop after so many
-    unsigned warmup = 0;             // frames before the first that counts
+    unsigned warmup = 0;             // frames before the first that counts; see pacing.hpp
     bool realtime = false;  // steps follow the clock even when --frames, --dump ... are given
     bool benchmark = false;
     std::filesystem::path screenshot, dump, csv;

@@ -3,7 +3,14 @@
 #include <algorithm>
 #include <utility>
 
-int Pacing::begin_frame(const CommandLine& command, double seconds, Controls& controls)
+unsigned frames_in_one(const CommandLine& command, uint64_t drawn)
+{
+    constexpr unsigned many = 60;
+    return command.reproducible() && drawn + 2 * many <= command.warmup ? many : 1;
+}
+
+int Pacing::begin_frame(const CommandLine& command, double seconds, unsigned frames,
+                        Controls& controls)
 {
     const double time_step = command.weather.time_step, timelapse = command.timelapse;
     constexpr int maximum = 8;
@@ -18,7 +25,7 @@ int Pacing::begin_frame(const CommandLine& command, double seconds, Controls& co
         due_ = int(owed_ / time_step);
         owed_ -= due_ * time_step;
     } else {
-        due_ = int(command.timelapse);
+        due_ = int(command.timelapse * frames);
     }
     return due_;
 }

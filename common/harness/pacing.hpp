@@ -2,16 +2,24 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 
 #include "common/harness/controls.hpp"
 #include "common/harness/options.hpp"
 
+// How many frames the next one stands for, after so many. A warm-up need not be seen: where a run
+// is to be repeatable, a frame makes the steps of sixty, as long as at least sixty are left, which
+// are drawn one by one, as those that count will be.
+unsigned frames_in_one(const CommandLine& command, uint64_t drawn);
+
 class Pacing {
 public:
-    // Begins a frame that comes `seconds` after the one before. A run that is to be repeatable
-    // makes one step in it; else the clock says how many, at most 8 (a longer hitch slows the snow
-    // down, it never skips). All of it times --timelapse. Returns how many are due.
-    int begin_frame(const CommandLine& command, double seconds, Controls& controls);
+    // Begins a frame that comes `seconds` after the one before and stands for so many `frames`. A
+    // run that is to be repeatable makes one step for each; else the clock says how many, at most 8
+    // (a longer hitch slows the snow down, it never skips). All of it times --timelapse. Returns
+    // how many are due.
+    int begin_frame(const CommandLine& command, double seconds, unsigned frames,
+                    Controls& controls);
 
     // Is another step to be made in this frame? Where the clock says how many, they end after a
     // twentieth of a second, so that the program answers its user, however slow a step is.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 CommandLine realtime()
@@ -21,7 +23,7 @@ TEST(Pacing, FollowsTheClockAndOwesWhatIsLess)
     const CommandLine command = realtime();
     int ticks = 0;
     for (int frame = 0; frame < 240; ++frame)
-        ticks += pacing.begin_frame(command, 1 / 240.0, controls);
+        ticks += pacing.begin_frame(command, 1 / 240.0, 1, controls);
     EXPECT_NEAR(ticks, 60, 1);  // rounding may leave the last one for the next frame
 }
 
@@ -30,10 +32,10 @@ TEST(Pacing, SlowsDownAfterAHitchInsteadOfSkipping)
     Pacing pacing;
     Controls controls;
     CommandLine command = realtime();
-    EXPECT_EQ(pacing.begin_frame(command, 10, controls), 8);
-    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 0);
+    EXPECT_EQ(pacing.begin_frame(command, 10, 1, controls), 8);
+    EXPECT_EQ(pacing.begin_frame(command, 0, 1, controls), 0);
     command.timelapse = 3;
-    EXPECT_EQ(pacing.begin_frame(command, 10, controls), 24);
+    EXPECT_EQ(pacing.begin_frame(command, 10, 1, controls), 24);
 }
 
 TEST(Pacing, MakesTheSameStepsInEveryFrameOfARepeatableRun)
@@ -42,10 +44,33 @@ TEST(Pacing, MakesTheSameStepsInEveryFrameOfARepeatableRun)
     Controls controls;
     CommandLine command = realtime();
     command.frames = 5;
-    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 1);
-    EXPECT_EQ(pacing.begin_frame(command, 10, controls), 1);
+    EXPECT_EQ(pacing.begin_frame(command, 0, 1, controls), 1);
+    EXPECT_EQ(pacing.begin_frame(command, 10, 1, controls), 1);
     command.timelapse = 60;
-    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 60);
+    EXPECT_EQ(pacing.begin_frame(command, 0, 1, controls), 60);
+}
+
+TEST(Pacing, MakesTheStepsOfManyFramesInOneUntilTheLastOfTheWarmUp)
+{
+    CommandLine command = realtime();
+    command.frames = 5;
+    for (const unsigned warmup : {0u, 1u, 60u, 119u, 120u, 150u, 960u}) {
+        command.warmup = warmup;
+        Pacing pacing;
+        Controls controls;
+        unsigned steps = 0, alone = 0;
+        while (steps < warmup) {
+            const unsigned frames = frames_in_one(command, steps);
+            alone = frames == 1 ? alone + 1 : 0;
+            steps += unsigned(pacing.begin_frame(command, 0, frames, controls));
+        }
+        EXPECT_EQ(steps, warmup) << "those that count begin in the same state as ever";
+        EXPECT_GE(alone, std::min(warmup, 60u));
+        EXPECT_LT(alone, 120u);
+        EXPECT_EQ(frames_in_one(command, warmup), 1u);
+    }
+    command.realtime = true;
+    EXPECT_EQ(frames_in_one(command, 0), 1u) << "the clock says how many";
 }
 
 TEST(Pacing, PausesAndMakesSingleSteps)
@@ -54,12 +79,12 @@ TEST(Pacing, PausesAndMakesSingleSteps)
     Controls controls;
     const CommandLine command = realtime();
     controls.paused = true;
-    EXPECT_EQ(pacing.begin_frame(command, 1, controls), 0);
+    EXPECT_EQ(pacing.begin_frame(command, 1, 1, controls), 0);
     controls.single_step = true;
-    EXPECT_EQ(pacing.begin_frame(command, 1, controls), 1);
-    EXPECT_EQ(pacing.begin_frame(command, 1, controls), 0);
+    EXPECT_EQ(pacing.begin_frame(command, 1, 1, controls), 1);
+    EXPECT_EQ(pacing.begin_frame(command, 1, 1, controls), 0);
     controls.paused = false;
-    EXPECT_EQ(pacing.begin_frame(command, 0, controls), 0)
+    EXPECT_EQ(pacing.begin_frame(command, 0, 1, controls), 0)
         << "what passed meanwhile is not caught up";
 }
 
@@ -70,7 +95,7 @@ TEST(Pacing, MakesAsManyStepsAsAreDue)
     CommandLine command = realtime();
     command.frames = 5;
     command.timelapse = 60;
-    pacing.begin_frame(command, 0, controls);
+    pacing.begin_frame(command, 0, 1, controls);
     int made = 0;
     while (pacing.next_tick()) EXPECT_EQ(pacing.ticks(), ++made);
     EXPECT_EQ(made, 60);
@@ -82,7 +107,7 @@ TEST(Pacing, MakesNoMoreThanThereIsTimeForWhereTheClockSaysHowMany)
     Controls controls;
     CommandLine command = realtime();
     command.timelapse = 1000;
-    pacing.begin_frame(command, 10, controls);
+    pacing.begin_frame(command, 10, 1, controls);
     EXPECT_TRUE(pacing.next_tick());
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(60)) {}

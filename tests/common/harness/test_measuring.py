@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from conftest import ROOT, STEP_VARIANTS, small
+from conftest import ROOT, STEPS, STEP_VARIANTS, small
 
 BENCHMARK = ["--benchmark", "--frames", 12, "--warmup", 6, "--particles", 500]
 
@@ -65,6 +65,16 @@ def test_measuring_changes_nothing(programs, tmp_path, step, variant):
     programs.run_well(step, *small(step), *BENCHMARK, "--variant", variant,
                       "--csv", tmp_path / "times.csv", "--dump", path)
     assert path.read_bytes() == plain
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_a_warm_up_ends_where_as_many_frames_would(programs, tmp_path, step):
+    """All but its last frames are time lapse; what counts is the same snow."""
+    run = [step, "--particles", 500]
+    frames = tmp_path / "times.csv"
+    warmed_up = programs.dump(*run, "--warmup", 300, "--frames", 2, "--csv", frames)
+    assert len(read(frames)) == 2
+    assert warmed_up == programs.dump(*run, "--frames", 302)
 
 
 def test_a_benchmark_does_not_wait_for_the_display(programs):
