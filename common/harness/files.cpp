@@ -65,14 +65,20 @@ fs::path make_part(const fs::path& target)
 
 }  // namespace
 
+fs::path path_of(std::string_view utf8)
+{
+    return std::u8string(utf8.begin(), utf8.end());
+}
+
 fs::path find_file(const std::string& name)
 {
     std::vector<fs::path> folders;
     // An override is meant: with one, nothing else is looked at.
     if (const char* override_folder = std::getenv("SNOWFALL_DIR")) {
-        folders = {override_folder};
+        folders = {path_of(override_folder)};
     } else {
-        folders = {SNOWFALL_SOURCE_DIR, executable_folder(), executable_folder().parent_path()};
+        folders = {path_of(SNOWFALL_SOURCE_DIR), executable_folder(),
+                   executable_folder().parent_path()};
     }
     std::string tried;
     for (const fs::path& folder : folders) {

@@ -196,6 +196,10 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     std::vector<std::string> settings;
 
     CLI::App app(lesson.name + ": " + lesson.idea);
+    const auto add_path = [&app](const char* name, std::filesystem::path& path, const char* what) {
+        app.add_option_function<std::string>(
+            name, [&path](const std::string& text) { path = path_of(text); }, what);
+    };
     app.add_option("--particles", particles, "flakes in the pool (20000)")
         ->check(CLI::Range(0u, snow::max_particles));
     app.add_option("--variant", command.variant, "way of doing it (" + command.variant + ")")
@@ -206,10 +210,9 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                    "NAME=VALUE, a number of the weather or of the step (list below)")
         ->allow_extra_args(false);
     if (lesson.has_scene) {
-        app.add_option("--scene", command.scene,
-                       "OBJ file to snow on, or none (the built-in courtyard)");
-        app.add_option("--collision", command.collision,
-                       "OBJ file to land on instead, in the scene's coordinates (the scene)");
+        add_path("--scene", command.scene, "OBJ file to snow on, or none (the built-in courtyard)");
+        add_path("--collision", command.collision,
+                 "OBJ file to land on instead, in the scene's coordinates (the scene)");
         app.add_option("--up", up, "axis that points up in those files (y)")
             ->check(CLI::IsMember({"y", "z"}));
         app.add_option("--voxels", command.voxels, "voxels along the scene's longest axis (256)");
@@ -254,16 +257,15 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
            "measure: panel hidden, --warmup 960 (until all snow is out), --frames 300, and in "
            "each that counts one time step")
         ->excludes(vsync);
-    app.add_option("--csv", command.csv, "write the times of every frame to this file");
+    add_path("--csv", command.csv, "write the times of every frame to this file");
     app.add_flag("--realtime", command.realtime,
                  "follow the clock even with --frames, --dump or --screenshot (one step a frame)");
-    app.add_option("--record", command.record, "write every frame to a PNG file in this folder");
-    app.add_option("--screenshot", command.screenshot, "write the last frame to this PNG file");
-    app.add_option("--dump", command.dump,
-                   "write all flakes to this CSV file after the last frame");
+    add_path("--record", command.record, "write every frame to a PNG file in this folder");
+    add_path("--screenshot", command.screenshot, "write the last frame to this PNG file");
+    add_path("--dump", command.dump, "write all flakes to this CSV file after the last frame");
     if (lesson.has_cover) {
-        app.add_option("--dump-cover", command.dump_cover,
-                       "write the mass of lying snow, cell by cell, to this CSV file");
+        add_path("--dump-cover", command.dump_cover,
+                 "write the mass of lying snow, cell by cell, to this CSV file");
     }
     app.add_flag("--debug", command.debug, "OpenGL debug context, messages to stderr");
     keep_lines(*app.get_formatter());

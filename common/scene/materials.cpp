@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
+
+#include "common/harness/files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -16,7 +19,7 @@ std::optional<fs::path> find_similar(fs::path folder, std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');
     std::error_code error;
-    for (const fs::path& part : fs::path(name)) {
+    for (const fs::path& part : path_of(name)) {
         fs::path next = folder / part;
         if (!fs::exists(next, error)) {
             const auto is_similar = [&](const fs::path& file) {
@@ -35,10 +38,12 @@ std::optional<fs::path> find_similar(fs::path folder, std::string name)
 
 // The same, for a name that may have folders of another machine in front of it.
 std::optional<fs::path> find_named(const fs::path& folder, std::string_view name)
-{
+try {
     const std::optional<fs::path> path = find_similar(folder, std::string(name));
     if (path) return path;
     return find_similar(folder, std::string(name.substr(name.find_last_of("/\\") + 1)));
+} catch (const std::system_error&) {
+    return {};  // it is no UTF-8, and no name that Windows can have
 }
 
 // The name of the picture in a statement, behind its options. Two of those show here: scale and

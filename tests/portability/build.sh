@@ -8,7 +8,8 @@
 # clang: with Clang.
 # no-tests: where what the tests need is missing.
 # vcpkg: with stb and ImGui as vcpkg lays them out, beside Debian's own packages.
-# mingw: every source for Windows, as far as that needs no library: it is read, not linked.
+# mingw: every source for Windows, as far as that needs no library: it is read, not linked. What
+#     knows of files is, and is tried with names beyond ASCII, where there is Wine.
 #
 # Everything comes from Debian's packages, nothing from the network. What it builds lies in $TMPDIR,
 # or /tmp, and is removed. Exit status 77, after one line that says why, where it cannot be tried.
@@ -87,7 +88,23 @@ with_mingw()
     find "$root"/common "$root"/step* -name '*.cpp' -print0 |
         xargs -0 -P "$(nproc)" -n 1 $compiler -fsyntax-only -std=c++20 -Wall -Wextra -Wpedantic \
             -Wshadow -Werror -DSNOWFALL_SOURCE_DIR='""' -I "$root" -isystem "$headers" || status=$?
-    return $status
+    ((status == 0)) || return $status
+    command -v wine >/dev/null || { say "No Wine: nothing is run."; return; }
+    "${compiler%g++}windres" "$root/common/harness/windows/utf8.rc" "$folder/utf8.o"
+    $compiler -std=c++20 -O1 -static -DSNOWFALL_SOURCE_DIR='""' -I "$root" -isystem "$headers" \
+        "$root"/tests/portability/names.cpp "$root"/common/weather.cpp \
+        "$root"/common/harness/{files,options,process,text,weather_parameters}.cpp \
+        "$root"/common/scene/*.cpp "$folder/utf8.o" -o "$folder/names.exe"
+    cd "$folder"
+    printf 'v 0 0 0\nv 1 0 0\nv 1 0 1\nmtllib Straße.mtl\nusemtl a\nvt 0 0\nf 1/1 2/1 3/1\n' >"Häuser.obj"
+    printf 'newmtl a\nmap_Kd 雪.png\n' >"Straße.mtl"
+    echo "a picture" >"雪.png"
+    # In the C locale Wine itself would leave nothing of such names.
+    export LC_ALL=C.UTF-8 WINEPREFIX=$folder/wine WINEDEBUG=-all
+    wine ./names.exe --scene "Häuser.obj" --dump "Höhe.csv" || status=$?
+    wineserver -k || true  # or it would still write to a folder that is gone
+    ((status == 0)) || return $status
+    cmp "雪.png" "Höhe.csv"
 }
 
 case ${1:-} in
