@@ -113,6 +113,22 @@ def test_all_that_is_new_is_listed(step):
     assert not missing, "\n".join(missing)
 
 
+@pytest.mark.parametrize("step", [step for step in LESSONS if step < "step04"])
+def test_all_that_is_other_in_a_variant_is_listed(step):
+    """Of steps 1 to 3, whose variants are short; later chapters list what each is about."""
+    own = [path.name for path in (ROOT / step).glob("*.cpp") if not path.with_suffix(".hpp").exists()]
+    main = lines_of_code((ROOT / step / "main.cpp").read_text(encoding="utf-8"))
+    listed = {line for block in blocks(step, "cpp", "glsl") for line in lines_of_code(block)}
+    for name in own:
+        for file in used_by(step, name) - {"main.cpp"}:
+            lines = lines_of_code((ROOT / step / file).read_text(encoding="utf-8"))
+            if file == name:  # the function is declared in main.cpp; of headers the text tells
+                lines = [line[2:] for line in difflib.ndiff(main, lines) if line[0] == "+"
+                         and not re.match(r"void run_|#include <", line[2:])]
+            missing = [line for line in lines if line not in listed]
+            assert not missing, f"{file}: " + "\n".join(missing)
+
+
 @pytest.mark.parametrize("folder", REWRITTEN)
 def test_new_calls_are_explained(folder):
     """Each call of OpenGL that the series makes here for the first time, with its arguments."""
