@@ -121,7 +121,8 @@ class Programs:
         some; LD_LIBRARY_PATH is not.
         """
         names = [*os.environ.get("LD_PRELOAD", "").split(), f"lib{library}.so"]
-        folders = [str(self.build / "tests"), *os.environ.get("LD_LIBRARY_PATH", "").split(":")]
+        tests = self.config.getoption("build").resolve() / "tests"
+        folders = [str(tests), *os.environ.get("LD_LIBRARY_PATH", "").split(":")]
         return {"LD_PRELOAD": " ".join(names), "LD_LIBRARY_PATH": ":".join(filter(None, folders))}
 
     def command(self, step, *arguments):
