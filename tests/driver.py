@@ -8,7 +8,8 @@ import pytest
 KINDS = {"dumps": r"test_one_snowfall", "ledgers": r"ledger|sums", "pictures": r"test_picture"}
 
 outcomes = collections.defaultdict(collections.Counter)  # of (step, kind): how many passed, failed ...
-refusals = {}  # what a step says that this OpenGL cannot run
+refusals = {}  # what this OpenGL cannot run, as the program says: an ordered set
+REFUSED = re.compile(r"try an earlier step|--\w+ \w+ needs OpenGL")
 reasons = collections.Counter()  # for skipping
 
 
@@ -24,8 +25,8 @@ def skip_what_only_software_promises(config, items):
 
 
 def skip_if_refused(config, status, errors):
-    """A step that says that this OpenGL is not enough for it has done what it should."""
-    if is_asked_for(config) and status == 1 and "try an earlier step" in errors:
+    """A program that says that this OpenGL is not enough for what was asked has done what it should."""
+    if is_asked_for(config) and status == 1 and REFUSED.search(errors):
         pytest.skip(errors.strip())
 
 
@@ -39,8 +40,8 @@ def note_outcome(report):
         outcomes[row, kind][report.outcome] += 1
         return
     reason = report.longrepr[2].removeprefix("Skipped: ")
-    if "try an earlier step" in reason:
-        refusals[row] = reason
+    if REFUSED.search(reason):
+        refusals[row, reason] = None
     else:
         outcomes[row, kind]["differ" if "of the pixels differ" in reason else "skipped"] += 1
         reasons[re.sub(r"\d.*", "...", reason)] += 1
@@ -60,8 +61,8 @@ def table(driver):
     """To be pasted into an issue."""
     columns = [*KINDS, "all else"]
     lines = [driver, "", f"| step | {' | '.join(columns)} |", "|---" * (len(columns) + 1) + "|"]
-    for row in sorted({row for row, _ in outcomes} | set(refusals)):
+    for row in sorted({row for row, _ in outcomes} | {row for row, _ in refusals}):
         cells = [cell(outcomes[row, kind]) for kind in columns]
         lines.append(f"| {row} | {' | '.join(cells)} |")
-    lines += ["", *[f"- {refusal}" for refusal in refusals.values()]]
+    lines += ["", *[f"- {refusal}" for _, refusal in refusals]]
     return lines + [f"- {count} skipped: {reason}" for reason, count in reasons.most_common()]
