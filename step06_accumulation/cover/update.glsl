@@ -65,7 +65,7 @@ void main()
             if (has_melted && amount > 0u && deposit(p.position, amount)) {
                 count_deposit();
             } else {
-                count_end(has_melted);
+                count_end(has_melted && amount == 0u);  // rain drains away; snow where no cell takes it has left
             }
         }
         p = born(index, tick, weather);
