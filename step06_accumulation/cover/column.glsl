@@ -32,3 +32,12 @@ bool is_surface(ivec3 cell)
     ivec3 above = cell + ivec3(0, 1, 0);
     return mass_in(cell) > 0u && mass_in(above) == 0u && !in_base(above);
 }
+
+// Moves `cell` up to the first one above the next surface of the scene. False: there is none.
+bool next_surface(inout ivec3 cell)
+{
+    while (cell.y < scene_top && !in_base(cell)) ++cell.y;
+    if (cell.y >= scene_top) return false;
+    while (in_base(cell)) ++cell.y;
+    return cell.y < resolution;
+}

@@ -84,7 +84,7 @@ void Columns::clear_depth()
     }
 }
 
-void Columns::dispatch(Program& program, unsigned tick, int ticks)
+void Columns::dispatch(Program& program, unsigned tick, int ticks) const
 {
     const int n = solid_.grid.resolution;
     program.use();

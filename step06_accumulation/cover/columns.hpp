@@ -25,12 +25,18 @@ public:
     void melt(unsigned tick, int ticks, const snow::Weather& weather);
     void measure(unsigned tick, int ticks);
 
+    // Runs a compute shader of column.glsl, `program`, on the columns whose turn it was in those
+    // time steps: one in 8 x 8 in each.
+    void dispatch(Program& program, unsigned tick, int ticks) const;
+
+    // The depths, as depth.comp leaves them.
+    GLuint depth() const { return depth_; }
+
     // Gives the program in use the depth of the snow, as snow_depth.glsl looks for it.
     void set_depth(Program& program) const;
 
 private:
     void clear_depth();
-    void dispatch(Program& program, unsigned tick, int ticks);
 
     const SolidScene& solid_;
     const SnowCover& cover_;

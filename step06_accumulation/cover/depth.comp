@@ -28,12 +28,7 @@ float smoothed(float depth, ivec3 place)
 void take_turn(ivec3 cell)
 {
     int lower = -1;  // height of the first cell above the surface below, where there is one
-    while (true) {
-        // Up to the first cell above a surface.
-        while (cell.y < scene_top && !in_base(cell)) cell += up;
-        if (cell.y == scene_top) break;
-        while (in_base(cell)) cell += up;
-        if (cell.y == resolution) break;
+    for (; next_surface(cell); lower = cell.y) {
         uint sum = 0u;
         for (ivec3 above = cell; mass_in(above) > 0u; above += up) sum += mass_in(above);
         float depth = float(sum) * (cell_size / float(full_cell));
@@ -41,6 +36,5 @@ void take_turn(ivec3 cell)
             ivec3 place = ivec3(cell.x, y, cell.z);
             imageStore(snow_depth, place, vec4(smoothed(depth, place)));
         }
-        lower = cell.y;
     }
 }
