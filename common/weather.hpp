@@ -27,6 +27,7 @@ struct Parameter {
     float* value;
     char key = 0;              // that turns a switch on and off
     const char* heading = "";  // in the panel, under which it stands
+    bool costly = false;       // a switch that is off in software, unless the user has set it
 };
 
 std::vector<Parameter> weather_parameters(Weather& weather);  // those of the weather

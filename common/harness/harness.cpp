@@ -39,8 +39,22 @@ void Harness::begin_run()
         std::cout
             << "warning: OpenGL runs in software here: times say nothing about a graphics card"
             << std::endl;
+        leave_off_what_is_costly();
     }
     last_frame_ = last_swap_ = last_title_ = Clock::now();
+}
+
+void Harness::leave_off_what_is_costly()
+{
+    std::string names;
+    for (const snow::Parameter& parameter : command.parameters()) {
+        // Once: who turns it on later has decided, too.
+        if (!parameter.costly || !command.decided.insert(parameter.name).second) continue;
+        *parameter.value = 0;
+        names += std::string(names.empty() ? "" : ", ") + parameter.name;
+    }
+    if (!names.empty())
+        std::cout << "left off in software, unless --set NAME=1: " << names << std::endl;
 }
 
 bool Harness::enough() const

@@ -67,6 +67,7 @@ private:
 
     bool measuring() const { return command.benchmark || !command.csv.empty(); }
     void show_frame_time();
+    void leave_off_what_is_costly();
 
     std::unique_ptr<Panel> panel_;
     bool show_panel_;

@@ -21,7 +21,8 @@ std::string parameters_help(CommandLine command)
     text << "For --set NAME=VALUE (value here: in snow):\n";
     for (const snow::Parameter& parameter : command.parameters()) {
         text << "  " << parameter.name << std::string(14 - std::string(parameter.name).size(), ' ')
-             << *parameter.value << " " << parameter.unit << ", " << parameter.meaning << "\n";
+             << *parameter.value << " " << parameter.unit << ", " << parameter.meaning
+             << (parameter.costly ? " (0 in software)" : "") << "\n";
     }
     return text.str();
 }
@@ -45,6 +46,7 @@ void apply_setting(const std::string& setting, CommandLine& command)
             throw CLI::ValidationError("--set", range.str());
         }
         *parameter.value = value;
+        command.decided.insert(name);
         return;
     }
     throw CLI::ValidationError("--set", "no parameter is called '" + name + "', see --help");

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct CommandLine : Options {
     std::filesystem::path screenshot, dump, csv;
     std::filesystem::path record;  // folder for a picture of every frame
     bool debug = false;
+    std::set<std::string> decided;  // parameters that --set has set
 
     // As many time steps in every frame, so that a run can be repeated exactly?
     bool reproducible() const
