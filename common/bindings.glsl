@@ -25,7 +25,13 @@
 #define SHADOW_UNIT 7
 #define SKY_SEEN_UNIT 8
 #define PICTURE_UNIT 9  // of a surface of the scene
+#define SNOW_UNIT 10    // the snow, smooth
+#define GRAIN_UNIT 11   // of it
+#define FRAME_UNIT 12   // its light
+#define FRAME_DEPTH_UNIT 13
+#define GLOW_UNIT 14
 
 // Image units
 #define DEPTH_IMAGE 0
+#define SNOW_IMAGE 1
 #define VOXELS_IMAGE 0

@@ -22,7 +22,7 @@ struct Camera {
     glm::mat4 view() const { return glm::lookAt(eye(), target, {0, 1, 0}); }
     glm::mat4 projection(glm::ivec2 window) const  // near and far plane at 0.1 m and 200 m
     {
-        return glm::perspective(field_of_view, float(window.x) / float(window.y), 0.1f, 200.0f);
+        return glm::perspective(field_of_view, float(window.x) / float(window.y), 0.1f, 2000.0f);
     }
 
     // Puts the eye there, m, looking at `point`.

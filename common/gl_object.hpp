@@ -65,3 +65,10 @@ inline GlObject make_framebuffer()
     glGenFramebuffers(1, &id);
     return {id, [](GLuint framebuffer) { glDeleteFramebuffers(1, &framebuffer); }};
 }
+
+inline GlObject make_renderbuffer()
+{
+    GLuint id = 0;
+    glGenRenderbuffers(1, &id);
+    return {id, [](GLuint renderbuffer) { glDeleteRenderbuffers(1, &renderbuffer); }};
+}

@@ -31,6 +31,7 @@ public:
     void set(const char* name, int value) { glUniform1i(location(name), value); }
     void set(const char* name, unsigned value) { glUniform1ui(location(name), value); }
     void set(const char* name, float value) { glUniform1f(location(name), value); }
+    void set(const char* name, glm::vec2 value) { glUniform2fv(location(name), 1, &value[0]); }
     void set(const char* name, glm::vec3 value) { glUniform3fv(location(name), 1, &value[0]); }
     void set(const char* name, const glm::mat4& value)
     {

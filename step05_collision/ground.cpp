@@ -19,16 +19,18 @@ bool has_floor(const VoxelGrid& grid, glm::ivec2 begin, glm::ivec2 end)
 
 }  // namespace
 
+int ground_square(const VoxelGrid& grid)
+{
+    constexpr float finest = 0.5f;  // m
+    return std::max(1, int(finest / grid.cell_size));
+}
+
 Scene with_ground(Scene scene, const VoxelGrid& grid)
 {
-    constexpr float below = 0.005f;          // m, so that no floor at y = 0 shares its depth
-    constexpr float finest = 0.5f;           // m, of a square that snow can bend
-    const vec3 colour(0.20f, 0.21f, 0.17f);  // grass in winter
-    const int step = std::max(1, int(finest / grid.cell_size));
-
+    const int step = ground_square(grid);
     if (scene.vertices.empty()) return scene;
     Submesh ground{{}, scene.indices.size(), 0};
-    ground.material.colour = colour;
+    ground.material.colour = ground_colour;
     for (int z = 0; z < grid.resolution; z += step) {
         for (int x = 0; x < grid.resolution; x += step) {
             const glm::ivec2 begin(x, z), end = glm::min(begin + step, grid.resolution);
@@ -37,8 +39,8 @@ Scene with_ground(Scene scene, const VoxelGrid& grid)
             const auto first = uint32_t(scene.vertices.size());
             for (const glm::ivec2 corner : {begin, {begin.x, end.y}, end, {end.x, begin.y}}) {
                 vec3 place = grid.origin + grid.cell_size * vec3(corner.x, 0, corner.y);
-                place.y = -below;
-                scene.vertices.push_back({place, vec3(0, 1, 0), colour, {}});
+                place.y = ground_height;
+                scene.vertices.push_back({place, vec3(0, 1, 0), ground_colour, {}});
             }
             for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
                 scene.indices.push_back(first + corner);

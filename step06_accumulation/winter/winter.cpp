@@ -7,7 +7,7 @@ Winter::Computed::Computed(Window& window)
 Winter::Winter(Window& window, const SolidScene& solid, const Columns& columns)
     : solid_(solid), columns_(columns), computed_(window.shared<Computed>()),
       live_(window.options().weather.particles), daylight_(solid),
-      surface_(solid.drawn, solid.grid.cell_size)
+      smooth_snow_(columns, solid.grid.resolution), surface_(solid)
 {}
 
 std::vector<snow::Parameter> Winter::parameters()
@@ -18,6 +18,8 @@ std::vector<snow::Parameter> Winter::parameters()
           snow::under("Flakes", Flakes::parameters()), snow::under("Wind", WindField::parameters()),
           snow::under("Light and air", Sky::parameters()),
           snow::under("Light and air", Daylight::parameters()),
+          snow::under("Picture", LinearFrame::parameters()),
+          snow::under("Picture", Bloom::parameters()), snow::under("Picture", Tone::parameters()),
           snow::under("Frame rate", FlakeBudget::parameters())}) {
         all.insert(all.end(), part.begin(), part.end());
     }
@@ -46,42 +48,57 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         const auto stage = window.stage("shadow");
         shadow_map_.update(daylight_.light(), solid_.mesh, window.size());
     }
+    {
+        const auto stage = window.stage("smooth");
+        smooth_snow_.update(tick, window.ticks());
+    }
     const auto set_light = [this](Program& program) {
-        program.use();
         program.set_texture("shadow_map", SHADOW_UNIT, GL_TEXTURE_2D, shadow_map_.texture());
         program.set_texture("sky_seen", SKY_SEEN_UNIT, GL_TEXTURE_3D,
                             computed_.occlusion.texture());
     };
-    {
+    const glm::vec3 without_sky(0.10f, 0.13f, 0.20f);
+    frame_.begin(window.size(), without_sky);
+    if (SnowSurface::scene != 0) {
         const auto stage = window.stage("scene");
-        for (Program* program : surface_.programs()) {
-            set_light(*program);
-            columns_.set_depth(*program);
-        }
-        surface_.draw(solid_.pictures);
+        surface_.draw(solid_.pictures, set_light, [this](Program& program) {
+            columns_.set_depth(program);
+            program.set_texture("snow", SNOW_UNIT, GL_TEXTURE_3D, smooth_snow_.texture());
+        });
+    }
+    if (Daylight::lamp != 0 && SnowSurface::scene != 0) {
+        const auto stage = window.stage("lamp");
+        lamp_.draw(daylight_.light(), solid_);
     }
     if (Sky::sky != 0) {
         const auto stage = window.stage("sky");
-        set_light(sky_.program);
-        sky_.draw();
-    }
-    if (Daylight::lamp != 0) {
-        const auto stage = window.stage("lamp");
-        lamp_.draw(daylight_.light(), solid_);
+        sky_.draw(daylight_.light());
     }
     if (WindField::arrows != 0) {
         const auto stage = window.stage("arrows");
         arrows_.draw(computed_.wind, solid_, weather, tick);
     }
+    frame_.end_edges();
+    if (Daylight::lamp != 0) {
+        const auto stage = window.stage("halo");
+        frame_.detach_depth();
+        lamp_.draw_halo(daylight_.light(), frame_.depth());
+        frame_.attach_depth();
+    }
     {
         const auto stage = window.stage("draw");
-        set_light(flakes_.billboard);
-        flakes_.use(window);
         glBindVertexArray(particles.vao());
-        glEnable(GL_BLEND);
-        glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
-        for (const Range& half : live_) glDrawArrays(GL_POINTS, half.first, half.count);
-        glDepthMask(GL_TRUE);
-        glDisable(GL_BLEND);
+        flakes_.draw(window, set_light, [this] {
+            for (const Range& half : live_) glDrawArrays(GL_POINTS, half.first, half.count);
+        });
+    }
+    if (Bloom::bloom > 0) {
+        const auto stage = window.stage("bloom");
+        bloom_.update(frame_);
+    }
+    {
+        const auto stage = window.stage("tone");
+        frame_.end();
+        tone_.draw(frame_, Bloom::bloom > 0 ? &bloom_ : nullptr);
     }
 }

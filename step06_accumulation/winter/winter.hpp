@@ -15,6 +15,10 @@
 #include "step06_accumulation/winter/light/lamp.hpp"
 #include "step06_accumulation/winter/light/shadow_map.hpp"
 #include "step06_accumulation/winter/light/sky.hpp"
+#include "step06_accumulation/winter/post/bloom.hpp"
+#include "step06_accumulation/winter/post/linear_frame.hpp"
+#include "step06_accumulation/winter/post/tone.hpp"
+#include "step06_accumulation/winter/surface/smooth_snow.hpp"
 #include "step06_accumulation/winter/surface/snow_surface.hpp"
 #include "step06_accumulation/winter/wind/wind_arrows.hpp"
 #include "step06_accumulation/winter/wind/wind_field.hpp"
@@ -52,9 +56,13 @@ private:
     CameraBlock camera_;
     Daylight daylight_;
     ShadowMap shadow_map_;
+    SmoothSnow smooth_snow_;
     SnowSurface surface_;
     Sky sky_;
     Lamp lamp_;
     WindArrows arrows_;
     Flakes flakes_;
+    LinearFrame frame_;
+    Bloom bloom_;
+    Tone tone_;
 };

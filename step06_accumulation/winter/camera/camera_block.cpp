@@ -17,9 +17,11 @@ void CameraBlock::update(const Window& window, unsigned tick)
             float(window.ticks()) * weather.time_step / float(window.options().timelapse);
     }
     camera_.window_size = window.size();
-    // The first flakes fall and lie for a while before they are part of the cover.
+    // The first flakes, fewer than there will be, fall and lie for a while before they are part of
+    // the cover; and depth.comp lets that appear in some ten rounds.
     const snow::Emitter& cloud = weather.emitters[0];
-    const float late = cloud.centre.y / cloud.terminal_speed + weather.melt_time;  // s
+    const float late = 1.25f * cloud.centre.y / cloud.terminal_speed + weather.melt_time +
+                       10 * 64 * weather.time_step;  // s
     camera_.field_depth =
         weather.snowfall / 60.0f * std::max(float(tick) * weather.time_step - late, 0.0f);
     block_.update(CAMERA_BLOCK, camera_);

@@ -8,6 +8,7 @@ uniform sampler2D crystals;
 in vec2 place;
 flat in vec2 tile;
 flat in float width;
+flat in float sharp;
 flat in vec4 look;
 
 out vec4 colour;
@@ -25,8 +26,8 @@ void main()
         opacity = 1.0 - squared * squared * squared;
         shade = 0.85 + 0.15 * place.y;  // it is darker below
     } else if (squared < 1.0) {
-        // Of a crystal that is a few pixels wide nothing is left but a soft spot.
-        opacity = mix(1.0 - squared * squared, picture, smoothstep(5.0, 15.0, width));
+        // Of a crystal that is a few pixels wide, or out of focus, nothing is left but a soft spot.
+        opacity = mix(1.0 - squared * squared, picture, smoothstep(5.0, 15.0, width) * smoothstep(0.4, 0.9, sharp));
     }
     colour = vec4(shade * look.rgb, clamp(look.a * opacity, 0.0, 1.0));
 }

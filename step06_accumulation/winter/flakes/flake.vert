@@ -1,7 +1,10 @@
 #version 430 core
 // Hands a flake on to the geometry shader, as it is and in what light.
 
-#include "step06_accumulation/winter/light/light.glsl"
+#include "common/weather_block.glsl"
+#include "step06_accumulation/winter/light/air.glsl"
+
+uniform int colours;  // 0: its own; else by speed, age or emitter
 
 layout(location = 0) in vec3 position;  // m
 layout(location = 1) in float age;      // s
@@ -15,9 +18,43 @@ out Flake
     vec3 velocity;
     float rest;
     uint index;
-    vec3 colour;  // as the screen wants it
+    vec3 colour;  // light that arrives at the eye
 }
 flake;
+
+// What is seen of a white flake, which has no side: light from everywhere. It may lie on a surface. The nearest cell of
+// sky_seen will do.
+vec3 light_on_flake(vec3 position)
+{
+    const vec3 up = vec3(0.0, 1.0, 0.0);
+    float seen = 0.5;
+    if (light.has_occlusion != 0.0) {
+        ivec3 cell = ivec3((position - light.grid_corner) / cell_of_sky() + up);
+        bool inside = all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, textureSize(sky_seen, 0)));
+        if (inside) seen = 0.5 * texelFetch(sky_seen, cell, 0).a;
+    }
+    vec3 result = seen * (light.sky + light.ground);
+    vec3 way = position - camera.eye;
+    float part = 0.5 + glow(way / max(length(way), 0.001));
+    result += part * sunlight_at(position + 0.03 * up) * light.sun;
+    vec3 to_lamp = light.lamp_position - position;
+    return result + 0.5 * light.lamp / max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
+}
+
+// A colour for each number from 0 to 1: from blue by green and yellow to red.
+vec3 colour_of(float part)
+{
+    return clamp(1.5 - abs(4.0 * clamp(part, 0.0, 1.0) - vec3(3.0, 2.0, 1.0)), 0.0, 1.0);
+}
+
+// In which a flake is drawn that is to tell something, whatever the light.
+vec3 telling_colour()
+{
+    float terminal = terminal_speed(uint(gl_VertexID), weather);
+    if (colours == 1) return colour_of(length(velocity) / (2.0 * terminal));
+    if (colours == 2) return colour_of(age / 16.0);
+    return of_first_emitter(uint(gl_VertexID), weather) ? vec3(0.1, 0.4, 1.0) : vec3(1.0, 0.5, 0.1);
+}
 
 void main()
 {
@@ -26,5 +63,6 @@ void main()
     flake.velocity = velocity;
     flake.rest = rest;
     flake.index = uint(gl_VertexID);
-    flake.colour = tone_mapped(through_air(light_on_flake(position), position));
+    vec4 air = air_before(position);
+    flake.colour = colours != 0 ? telling_colour() : air.rgb + air.a * light_on_flake(position);
 }

@@ -1,11 +1,16 @@
 #include "step06_accumulation/winter/flakes/flakes.hpp"
 
+#include <cmath>
+
 #include "step03_shader_points/load_texture.hpp"
 
 Flakes::Flakes()
-    : billboard({{GL_VERTEX_SHADER, "step06_accumulation/winter/flakes/flake.vert"},
-                 {GL_GEOMETRY_SHADER, "step06_accumulation/winter/flakes/flake.geom"},
-                 {GL_FRAGMENT_SHADER, "step06_accumulation/winter/flakes/flake.frag"}}),
+    : billboard_({{GL_VERTEX_SHADER, "step06_accumulation/winter/flakes/flake.vert"},
+                  {GL_GEOMETRY_SHADER, "step06_accumulation/winter/flakes/flake.geom"},
+                  {GL_FRAGMENT_SHADER, "step06_accumulation/winter/flakes/flake.frag"}}),
+      splash_({{GL_VERTEX_SHADER, "step06_accumulation/winter/flakes/flake.vert"},
+               {GL_GEOMETRY_SHADER, "step06_accumulation/winter/flakes/splash.geom"},
+               {GL_FRAGMENT_SHADER, "step06_accumulation/winter/flakes/flake.frag"}}),
       sprite_({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
                {GL_FRAGMENT_SHADER, "step03_shader_points/flake.frag"}}),
       crystals_(load_texture("step03_shader_points/snowflakes.png"))
@@ -17,19 +22,36 @@ std::vector<snow::Parameter> Flakes::parameters()
         {"billboards", "crystals", "on/off", 0, 1, "flakes are crystals, drawn out along their way",
          &billboards},
         {"splashes", "splashes", "on/off", 0, 1, "of drops that reach the ground", &splashes},
+        {"blur", "out of focus", "on/off", 0, 1, "flakes close to the camera are large and soft",
+         &blur},
+        {"colours", "colours", "", 0, 3,
+         "of flakes: 0 their own, 1 by speed, 2 by age, 3 by emitter", &colours},
     };
 }
 
-void Flakes::use(const Window& window)
+void Flakes::draw(const Window& window, const std::function<void(Program&)>& set_light,
+                  const std::function<void()>& draw_points)
 {
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
     if (billboards != 0) {
-        billboard.use();
-        billboard.set("splashes", splashes != 0 ? 1 : 0);
-        billboard.set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals_);
+        const bool splashing = splashes != 0 && window.options().weather.kind == snow::rain_kind;
+        for (Program* program : {&billboard_, splashing ? &splash_ : nullptr}) {
+            if (program == nullptr) continue;
+            program->use();
+            set_light(*program);
+            program->set("blur", blur != 0 ? 1 : 0);
+            program->set("colours", int(std::lround(colours)));
+            program->set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals_);
+            draw_points();
+        }
     } else {
         sprite_.use();
         sprite_.set("view", window.view());
         sprite_.set("projection", window.projection());
         sprite_.set("window_height", float(window.size().y));
+        draw_points();
     }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }

@@ -2,6 +2,7 @@
 // sprites of step 3.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "common/program.hpp"
@@ -12,14 +13,15 @@ public:
     Flakes();
 
     static std::vector<snow::Parameter> parameters();
-    inline static float billboards = 1, splashes = 1;  // switches
+    inline static float billboards = 1, splashes = 1, blur = 1;  // switches
+    inline static float colours = 0;  // 0 their own, 1 by speed, 2 by age, 3 by emitter
 
-    Program billboard;  // wants the textures of light.glsl
-
-    // Takes the program into use that draws points as flakes.
-    void use(const Window& window);
+    // Draws what draw_points draws as points, a flake each. set_light gives a program in use the
+    // textures of light.glsl.
+    void draw(const Window& window, const std::function<void(Program&)>& set_light,
+              const std::function<void()>& draw_points);
 
 private:
-    Program sprite_;
+    Program billboard_, splash_, sprite_;
     GlObject crystals_;
 };

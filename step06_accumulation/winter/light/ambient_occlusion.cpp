@@ -89,8 +89,9 @@ AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_textur
     // directions where v(d) is 1, very nearly: mean of v + 2 n . (mean of v d), the means over all
     // directions, with nothing from below (the first two bands of spherical harmonics: Ramamoorthi
     // and Hanrahan, "An efficient representation for irradiance environment maps", 2001).
-    const vec4 open_sky(0, 0.5f, 0, 0.5f);  // the two means: 2 v d, and v
-    std::vector<vec4> texels(opacity.values.size(), open_sky);
+    const vec4 open_sky(0, 0.5f, 0, 0.5f);  // the two means: 2 v d, -0.5 to 0.5, and v, 0 to 0.5
+    const auto texel_of = [](vec4 means) { return vec4(0.5f + vec3(means), 2 * means.w); };
+    std::vector<vec4> texels(opacity.values.size(), texel_of(open_sky));
     for (int z = 0; z < opacity.cells; ++z) {
         for (int y = 0; y < opacity.top; ++y) {
             for (int x = 0; x < opacity.cells; ++x) {
@@ -102,16 +103,19 @@ AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_textur
                 for (const vec3 direction : sky) {
                     sum += opacity.light_from(direction, place) * vec4(2.0f * direction, 1);
                 }
-                texels[cell] = sum / (2.0f * directions);  // 2: the sky is half of all directions
+                // 2: the sky is half of all directions
+                texels[cell] = texel_of(sum / (2.0f * directions));
             }
         }
     }
 
     glBindTexture(GL_TEXTURE_3D, texture_);
-    glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA16F, opacity.cells, opacity.cells, opacity.cells, 0,
+    // 8 bits a channel are enough for light so even, and what hardware filters fastest.
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, opacity.cells, opacity.cells, opacity.cells, 0,
                  GL_RGBA, GL_FLOAT, texels.data());
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameterfv(GL_TEXTURE_3D, GL_TEXTURE_BORDER_COLOR, &open_sky.x);
+    const vec4 border = texel_of(open_sky);
+    glTexParameterfv(GL_TEXTURE_3D, GL_TEXTURE_BORDER_COLOR, &border.x);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
         glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_BORDER);
     }

@@ -105,7 +105,6 @@ std::vector<snow::Parameter> Daylight::parameters()
          &sun_height},
         {"sun_direction", "direction of the sun", "degrees", 0, 360,
          "where the sun stands, from +z towards +x", &sun_direction},
-        {"exposure", "exposure", "", 0.1f, 10, "of the picture", &exposure},
     };
 }
 
@@ -145,7 +144,6 @@ void Daylight::update(const snow::Weather& weather, unsigned tick)
     light_.twilight =
         std::exp(-0.04f * (sun_height + 1) * (sun_height + 1)) * vec3(0.70f, 0.28f, 0.08f);
     light_.stars = 1 - smoothstep(-12.0f, -5.0f, sun_height);
-    light_.exposure = exposure;
 
     // The ground sends back what falls on it, snow more than stone.
     const float white = smoothstep(0.0f, 0.02f, weather.snowfall / 60 * seconds);

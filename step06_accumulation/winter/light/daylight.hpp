@@ -21,7 +21,6 @@ public:
     static std::vector<snow::Parameter> parameters();
     inline static float shadow = 1, occlusion = 1, fog = 1, lamp = 1;  // switches
     inline static float sun_height = 20, sun_direction = 118;          // degrees
-    inline static float exposure = 1;
 
     // tick: time steps made since the first flake.
     void update(const snow::Weather& weather, unsigned tick);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/program.hpp"
+#include "step04_transform_feedback/no_vertices.hpp"
 #include "step05_collision/solid_scene.hpp"
 #include "step06_accumulation/winter/light/daylight.hpp"
 
@@ -12,6 +13,10 @@ public:
     // Draws it, if it is on, over the same surfaces as they were drawn with the scene.
     void draw(const snow::Light& light, const SolidScene& solid);
 
+    // Adds its halo to the frame, whose depth this is.
+    void draw_halo(const snow::Light& light, GLuint frame_depth);
+
 private:
-    Program program_;
+    Program program_, halo_;
+    NoVertices vao_;  // the shader of the halo knows its corners
 };

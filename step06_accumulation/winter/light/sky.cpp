@@ -1,18 +1,20 @@
 #include "step06_accumulation/winter/light/sky.hpp"
 
 Sky::Sky()
-    : program({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
-               {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/sky.frag"}})
+    : day_({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
+            {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/sky.frag"}}),
+      night_({{GL_VERTEX_SHADER, "step04_transform_feedback/full_screen.vert"},
+              {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/night.frag"}})
 {}
 
 std::vector<snow::Parameter> Sky::parameters()
 {
-    return {{"sky", "sky", "on/off", 0, 1, "sky, and a field around the scene", &sky}};
+    return {{"sky", "sky", "on/off", 0, 1, "the sky behind the scene", &sky}};
 }
 
-void Sky::draw()
+void Sky::draw(const snow::Light& light)
 {
-    program.use();
+    (light.stars > 0 ? night_ : day_).use();
     glBindVertexArray(vao_);
     glDepthRange(1, 1);  // as far as can be: it is seen where nothing else was drawn
     glDepthFunc(GL_LEQUAL);

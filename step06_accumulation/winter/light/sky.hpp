@@ -1,4 +1,4 @@
-// The sky, and the field around the scene, behind everything else.
+// The sky, behind everything else.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,7 @@
 #include "common/program.hpp"
 #include "common/weather.hpp"
 #include "step04_transform_feedback/no_vertices.hpp"
+#include "step06_accumulation/winter/light/daylight.hpp"
 
 class Sky {
 public:
@@ -14,9 +15,9 @@ public:
     static std::vector<snow::Parameter> parameters();
     inline static float sky = 1;  // a switch
 
-    Program program;  // wants the textures of light.glsl
-    void draw();
+    void draw(const snow::Light& light);
 
 private:
+    Program day_, night_;
     NoVertices vao_;  // the shader knows its corners
 };

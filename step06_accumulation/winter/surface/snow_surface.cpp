@@ -2,8 +2,25 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <map>
 #include <utility>
+
+#include "step05_collision/ground.hpp"
+#include "step06_accumulation/winter/surface/grain.hpp"
+#include "step06_accumulation/winter/surface/hollows.hpp"
+
+namespace {
+
+// Some order of vertices, to find those that are the same.
+struct BytewiseLess {
+    bool operator()(const SurfaceVertex& a, const SurfaceVertex& b) const
+    {
+        return std::memcmp(&a, &b, sizeof a) < 0;
+    }
+};
+
+}  // namespace
 
 std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough)
 {
@@ -14,8 +31,7 @@ std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough
         const auto longer = [&](const SurfaceVertex& p, const SurfaceVertex& q) {
             return glm::distance(p.vertex.position, q.vertex.position) > fine_enough;
         };
-        const bool coarse =
-            a.lift + b.lift + c.lift > 0 && (longer(a, b) || longer(b, c) || longer(c, a));
+        const bool coarse = longer(a, b) || longer(b, c) || longer(c, a);
         std::vector<SurfaceVertex>& part = coarse ? parts.back().coarse : parts.back().fine;
         part.insert(part.end(), {a, b, c});
     };
@@ -36,6 +52,16 @@ std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough
         while (!left.empty()) {
             const std::array<Vertex, 3> triangle = left.back();
             left.pop_back();
+            const glm::vec3 across = glm::cross(triangle[1].position - triangle[0].position,
+                                                triangle[2].position - triangle[0].position);
+            if (across.y <= least_upward * glm::length(across)) {
+                const auto bare = [](const Vertex& vertex) {
+                    return SurfaceVertex{vertex, 0, 0, {}};
+                };
+                std::vector<SurfaceVertex>& part = parts.back().bare;
+                part.insert(part.end(), {bare(triangle[0]), bare(triangle[1]), bare(triangle[2])});
+                continue;
+            }
             // Turned so that the longest edge comes first.
             size_t split = 0;
             const auto length = [&](size_t edge) {
@@ -53,10 +79,7 @@ std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough
                 left.push_back({middle, b, c});
                 continue;
             }
-            const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
-            const float lift = across.y > least_upward * glm::length(across) ? 1.0f : 0.0f;
-            add({a, lift, 0}, {b, lift, 0}, {c, lift, 0});
-            if (lift == 0) continue;
+            add({a, 1, 0, {}}, {b, 1, 0, {}}, {c, 1, 0, {}});
             for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
                 if (border.erase({point(to), point(from)}) == 0)
                     border.insert({{point(from), point(to)}, {from, to}});
@@ -66,85 +89,166 @@ std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough
     parts.emplace_back();
     for (const auto& [ends, vertices] : border) {
         auto [from, to] = vertices;
+        // On the ground the snow goes on beyond the edge of a floor.
+        constexpr float as_good_as_ground = 0.01f;  // m
+        if (std::max(from.position.y, to.position.y) < as_good_as_ground) continue;
         const glm::vec3 along = to.position - from.position;
         from.normal = to.normal = glm::normalize(glm::cross(along, glm::vec3(0, 1, 0)));
-        add({to, 1, 1}, {from, 1, 1}, {from, 0, 1});
-        add({to, 1, 1}, {from, 0, 1}, {to, 0, 1});
+        add({to, 1, 1, {}}, {from, 1, 1, {}}, {from, 0, 1, {}});
+        add({to, 1, 1, {}}, {from, 0, 1, {}}, {to, 0, 1, {}});
     }
     return parts;
 }
 
-SnowSurface::SnowSurface(const Scene& scene, float cell_size)
-    : buffer_(make_buffer()), vao_(make_vertex_array()),
-      untessellated_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface.vert"},
-                      {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}}),
-      tessellated_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface_patch.vert"},
-                    {GL_TESS_CONTROL_SHADER, "step06_accumulation/winter/surface/surface.tesc"},
-                    {GL_TESS_EVALUATION_SHADER, "step06_accumulation/winter/surface/surface.tese"},
-                    {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}}),
-      fine_enough_(3 * cell_size)
+SurfacePart make_field(const VoxelGrid& grid, bool with_middle)
+{
+    constexpr float farthest = 1500;  // m
+    constexpr float margin = 1;       // m, of the ring in which snow becomes that of the field
+    constexpr float wider = 2;        // each other one than the one inside it
+    const int square = ground_square(grid), squares = (grid.resolution + square - 1) / square;
+    const float half_size = 0.5f * grid.cell_size * float(grid.resolution);
+    const glm::vec2 middle = glm::vec2(grid.origin.x, grid.origin.z) + half_size;
+    const auto corner = [&](float size, int side, int i) {
+        const float part = float(std::min(i * square, grid.resolution)) / float(grid.resolution);
+        // Along two of the sides, which run the other way, so that corners match the ground's.
+        glm::vec2 place(2 * (side < 2 ? part : 1 - part) - 1, 1);
+        if (side % 2 == 1) place = {-place.y, place.x};
+        if (side == 2) place = {place.x, -1};
+        if (side == 3) place = {1, place.y};
+        place = middle + size * place;
+        const Vertex vertex{{place.x, ground_height, place.y}, {0, 1, 0}, ground_colour, {}};
+        return SurfaceVertex{vertex, 1, 0, {0, 1, 0, 0}};
+    };
+    SurfacePart field;
+    float inner = with_middle ? 0 : half_size;
+    for (float outer = half_size + margin; inner < farthest; inner = outer, outer *= wider) {
+        std::vector<SurfaceVertex>& ring = inner == half_size ? field.coarse : field.bare;
+        for (int side = 0; side < 4; ++side) {
+            for (int i = 0; i < squares; ++i) {
+                const SurfaceVertex a = corner(inner, side, i), b = corner(inner, side, i + 1),
+                                    c = corner(outer, side, i), d = corner(outer, side, i + 1);
+                ring.insert(ring.end(), {a, c, d, a, d, b});
+            }
+        }
+    }
+    return field;
+}
+
+SnowSurface::SnowSurface(const SolidScene& solid)
+    : vertices_(make_buffer()), indices_(make_buffer()), vao_(make_vertex_array()),
+      on_bare_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/bare.vert"},
+                {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/bare.frag"}}),
+      on_field_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/field.vert"},
+                 {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/field.frag"}}),
+      plain_(programs_with("surface.frag")), sparkling_(programs_with("sparkling.frag")),
+      grain_(make_grain()), fine_enough_(3 * solid.grid.cell_size)
 {
     std::vector<SurfaceVertex> vertices;
-    const auto add = [&](std::vector<Part>& parts, const std::vector<SurfaceVertex>& part) {
-        const size_t submesh = parts.size();
-        parts.push_back({submesh, GLint(vertices.size()), GLsizei(part.size())});
-        vertices.insert(vertices.end(), part.begin(), part.end());
+    std::vector<uint32_t> indices;
+    std::map<SurfaceVertex, uint32_t, BytewiseLess> known;
+    const auto add = [&](std::vector<Part>& parts, const std::vector<SurfaceVertex>& corners) {
+        parts.push_back({parts.size(), indices.size(), GLsizei(corners.size())});
+        for (const SurfaceVertex& corner : corners) {
+            const auto [found, is_new] = known.insert({corner, uint32_t(vertices.size())});
+            if (is_new) vertices.push_back(corner);
+            indices.push_back(found->second);
+        }
     };
-    for (const SurfacePart& part : make_snow_surface(scene, fine_enough_)) {
-        add(coarse_, part.coarse);
+    std::vector<SurfacePart> parts = make_snow_surface(solid.drawn, fine_enough_);
+    find_hollows(parts);
+    const SurfacePart field = make_field(solid.grid, solid.drawn.vertices.empty());
+    std::vector<SurfaceVertex>& last = parts.back().coarse;  // without a picture, as the field
+    last.insert(last.end(), field.coarse.begin(), field.coarse.end());
+    for (const SurfacePart& part : parts) {
+        add(bare_, part.bare);
         add(fine_, part.fine);
+        add(coarse_, part.coarse);
     }
+    add(field_, field.bare);
     glBindVertexArray(vao_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(SurfaceVertex)),
                  vertices.data(), GL_STATIC_DRAW);
-    const auto field = [](GLuint location, GLint floats, size_t offset) {
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)),
+                 indices.data(), GL_STATIC_DRAW);
+    check_memory("the surface", double(vertices.size() * sizeof(SurfaceVertex)));
+    const auto field_of = [](GLuint location, GLint floats, size_t offset) {
         glEnableVertexAttribArray(location);
         glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(SurfaceVertex),
                               reinterpret_cast<const void*>(offset));
     };
-    field(0, 3, offsetof(Vertex, position));
-    field(1, 3, offsetof(Vertex, normal));
-    field(2, 3, offsetof(Vertex, colour));
-    field(3, 2, offsetof(Vertex, uv));
-    field(4, 1, offsetof(SurfaceVertex, lift));
-    field(5, 1, offsetof(SurfaceVertex, skirt));
+    field_of(0, 3, offsetof(Vertex, position));
+    field_of(1, 3, offsetof(Vertex, normal));
+    field_of(2, 3, offsetof(Vertex, colour));
+    field_of(3, 2, offsetof(Vertex, uv));
+    field_of(4, 1, offsetof(SurfaceVertex, lift));
+    field_of(5, 1, offsetof(SurfaceVertex, skirt));
+    field_of(6, 4, offsetof(SurfaceVertex, even));
 }
 
 std::vector<snow::Parameter> SnowSurface::parameters()
 {
     return {
+        {"scene", "scene", "on/off", 0, 1, "the scene and the field around it, or only flakes",
+         &scene},
         {"tessellation", "tessellation", "on/off", 0, 1,
-         "the surface of the snow is as fine as it needs to be", &tessellation},
+         "the surface of the snow is as fine as it needs to be", &tessellation, 0, "", true},
         {"sparkle", "sparkle", "on/off", 0, 1, "crystals on the snow flash in the sun", &sparkle},
     };
 }
 
-std::vector<Program*> SnowSurface::programs()
+SnowSurface::Programs SnowSurface::programs_with(const std::string& fragment_shader)
 {
-    return {&untessellated_, &tessellated_};
+    const std::string folder = "step06_accumulation/winter/surface/";
+    return {Program({{GL_VERTEX_SHADER, folder + "surface.vert"},
+                     {GL_FRAGMENT_SHADER, folder + fragment_shader}}),
+            Program({{GL_VERTEX_SHADER, folder + "surface_patch.vert"},
+                     {GL_TESS_CONTROL_SHADER, folder + "surface.tesc"},
+                     {GL_TESS_EVALUATION_SHADER, folder + "surface.tese"},
+                     {GL_FRAGMENT_SHADER, folder + fragment_shader}})};
 }
 
 void SnowSurface::draw(GLenum mode, const std::vector<Part>& parts, Program& program,
-                       const ScenePictures& pictures)
+                       const ScenePictures* pictures)
 {
     for (const Part& part : parts) {
         if (part.count == 0) continue;
-        pictures.set(program, part.submesh);
-        glDrawArrays(mode, part.first, part.count);
+        if (pictures != nullptr) pictures->set(program, part.submesh);
+        glDrawElements(mode, part.count, GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(part.first * sizeof(uint32_t)));
     }
 }
 
-void SnowSurface::draw(const ScenePictures& pictures)
+void SnowSurface::draw(const ScenePictures& pictures,
+                       const std::function<void(Program&)>& set_light,
+                       const std::function<void(Program&)>& set_snow)
 {
     glBindVertexArray(vao_);
-    untessellated_.use();
-    untessellated_.set("sparkle", sparkle != 0 ? 1 : 0);
-    draw(GL_TRIANGLES, fine_, untessellated_, pictures);
-    if (tessellation == 0) return draw(GL_TRIANGLES, coarse_, untessellated_, pictures);
-    tessellated_.use();
-    tessellated_.set("sparkle", sparkle != 0 ? 1 : 0);
-    tessellated_.set("fine_enough", fine_enough_);
-    glPatchParameteri(GL_PATCH_VERTICES, 3);
-    draw(GL_PATCHES, coarse_, tessellated_, pictures);
+    const auto use = [&](Program& program) {
+        program.use();
+        set_light(program);
+    };
+    const auto use_on_snow = [&](Program& program) {
+        use(program);
+        set_snow(program);
+        program.set("grain_size", 1.28f);
+        program.set_texture("grain", GRAIN_UNIT, GL_TEXTURE_2D, grain_);
+    };
+    use(on_bare_);
+    draw(GL_TRIANGLES, bare_, on_bare_, &pictures);
+    Programs& on_snow = sparkle != 0 ? sparkling_ : plain_;
+    use_on_snow(on_snow.as_is);
+    draw(GL_TRIANGLES, fine_, on_snow.as_is, &pictures);
+    if (tessellation != 0) {
+        use_on_snow(on_snow.tessellated);
+        on_snow.tessellated.set("fine_enough", fine_enough_);
+        glPatchParameteri(GL_PATCH_VERTICES, 3);
+        draw(GL_PATCHES, coarse_, on_snow.tessellated, &pictures);
+    } else {
+        draw(GL_TRIANGLES, coarse_, on_snow.as_is, &pictures);
+    }
+    use(on_field_);
+    on_field_.set("ground_colour", ground_colour);
+    draw(GL_TRIANGLES, field_, on_field_);
 }

@@ -1,23 +1,29 @@
 // The scene as it is drawn under snow: every surface that snow can lie on is lifted by it.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "common/program.hpp"
 #include "common/scene/scene.hpp"
 #include "common/weather.hpp"
-#include "step05_collision/scene_pictures.hpp"
+#include "step05_collision/solid_scene.hpp"
 
 struct SurfaceVertex {
     Vertex vertex;
     float lift;   // 1: moves with the snow, 0: stays
     float skirt;  // 1: part of the snow's side
+    // Of the surface when deep snow has filled its hollows: the normal, and how far above it lies,
+    // m. See hollows.hpp.
+    glm::vec4 even{0, 1, 0, 0};
 };
 
 // Of one submesh of the scene. Three vertices in a row make a triangle.
 struct SurfacePart {
+    std::vector<SurfaceVertex> bare;    // no snow can lie on it
+    std::vector<SurfaceVertex> fine;    // lifted as it is
     std::vector<SurfaceVertex> coarse;  // to be divided further, once there is snow
-    std::vector<SurfaceVertex> fine;    // as it is
 };
 
 // Cuts the scene into triangles no longer than a metre, the most that tessellation can divide into
@@ -26,28 +32,39 @@ struct SurfacePart {
 // snow lifts its upper side, closes the gap to what stays below: all skirts are one part more.
 std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough);
 
+// The field around the grid's cube as far as one sees, in rings: the innermost, which is to be
+// divided, joins the squares of the ground in the cube, and the others nothing lifts but the snow
+// on open ground. with_middle: in the cube, too.
+SurfacePart make_field(const VoxelGrid& grid, bool with_middle);
+
 class SnowSurface {
 public:
-    SnowSurface(const Scene& scene, float cell_size);
+    explicit SnowSurface(const SolidScene& solid);
 
     static std::vector<snow::Parameter> parameters();
-    inline static float tessellation = 1, sparkle = 1;  // switches
+    inline static float scene = 1, tessellation = 1, sparkle = 1;  // switches
 
-    // The programs that draw it: they want the depth of the snow and the textures of light.glsl.
-    std::vector<Program*> programs();
-    void draw(const ScenePictures& pictures);
+    // set_light gives a program in use the textures of light.glsl, set_snow those of the snow.
+    void draw(const ScenePictures& pictures, const std::function<void(Program&)>& set_light,
+              const std::function<void(Program&)>& set_snow);
 
 private:
     struct Part {
         size_t submesh;
-        GLint first;  // of the vertices
+        size_t first;  // of the indices
         GLsizei count;
     };
+    struct Programs {  // for surfaces that snow can lie on
+        Program as_is, tessellated;
+    };
+    static Programs programs_with(const std::string& fragment_shader);
     static void draw(GLenum mode, const std::vector<Part>& parts, Program& program,
-                     const ScenePictures& pictures);
+                     const ScenePictures* pictures = nullptr);
 
-    GlObject buffer_, vao_;
-    std::vector<Part> coarse_, fine_;
-    Program untessellated_, tessellated_;
+    GlObject vertices_, indices_, vao_;
+    std::vector<Part> bare_, fine_, coarse_, field_;
+    Program on_bare_, on_field_;
+    Programs plain_, sparkling_;
+    GlObject grain_;
     float fine_enough_;  // m
 };

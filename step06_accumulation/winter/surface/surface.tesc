@@ -8,8 +8,8 @@ layout(vertices = 3) out;
 
 uniform float fine_enough;  // m, length of an edge that stays as it is
 
-in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; } corner[];
-out Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; } control[];
+in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } corner[];
+out Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } control[];
 
 // Depth of the snow in the column at `point`, m.
 float roughly(vec3 point)
@@ -46,6 +46,7 @@ void main()
     control[gl_InvocationID].uv = corner[gl_InvocationID].uv;
     control[gl_InvocationID].lift = corner[gl_InvocationID].lift;
     control[gl_InvocationID].skirt = corner[gl_InvocationID].skirt;
+    control[gl_InvocationID].even = corner[gl_InvocationID].even;
     if (gl_InvocationID == 0) {
         // Edge i lies opposite to corner i.
         gl_TessLevelOuter[0] = edge_level(1, 2);

@@ -5,7 +5,7 @@
 
 layout(triangles, fractional_even_spacing, ccw) in;
 
-in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; } control[];
+in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } control[];
 
 void main()
 {
@@ -13,10 +13,11 @@ void main()
     // The same on an edge, to the last bit, whichever of its two triangles asks: or there would be cracks.
     precise vec3 position =
         part.x * control[0].position + part.y * control[1].position + part.z * control[2].position;
+    precise vec4 even = part.x * control[0].even + part.y * control[1].even + part.z * control[2].even;
     put_on_snow(position,
                 part.x * control[0].normal + part.y * control[1].normal + part.z * control[2].normal,
                 part.x * control[0].colour + part.y * control[1].colour + part.z * control[2].colour,
                 part.x * control[0].uv + part.y * control[1].uv + part.z * control[2].uv,
                 part.x * control[0].lift + part.y * control[1].lift + part.z * control[2].lift,
-                control[0].skirt);
+                control[0].skirt, even);
 }

@@ -9,8 +9,9 @@ layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in float lift;
 layout(location = 5) in float skirt;
+layout(location = 6) in vec4 even;
 
 void main()
 {
-    put_on_snow(position, normal, colour, uv, lift, skirt);
+    put_on_snow(position, normal, colour, uv, lift, skirt, even);
 }

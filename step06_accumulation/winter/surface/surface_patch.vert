@@ -7,8 +7,9 @@ layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in float lift;
 layout(location = 5) in float skirt;
+layout(location = 6) in vec4 even;
 
-out Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; } corner;
+out Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } corner;
 
 void main()
 {
@@ -18,4 +19,5 @@ void main()
     corner.uv = uv;
     corner.lift = lift;
     corner.skirt = skirt;
+    corner.even = even;
 }

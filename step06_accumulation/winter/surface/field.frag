@@ -1,0 +1,21 @@
+#version 430 core
+// The field around the scene: from so far away snow is even.
+
+#include "step06_accumulation/winter/light/light.glsl"
+#include "step06_accumulation/winter/surface/snow_colour.glsl"
+
+uniform vec3 ground_colour;
+
+in vec3 world_position;  // m
+in vec4 air;             // see air.glsl
+
+out vec4 colour;
+
+void main()
+{
+    const vec3 up = vec3(0.0, 1.0, 0.0);
+    float cover = smoothstep(0.0, 0.02, camera.field_depth);
+    float sunlight = sunlight_at(world_position + 0.03 * up);
+    vec3 radiance = lit(mix(ground_colour, snow_colour, cover), up, world_position, sunlight, light_within * cover);
+    colour = vec4(air.rgb + air.a * radiance, 1.0);
+}

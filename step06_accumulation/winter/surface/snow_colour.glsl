@@ -1,0 +1,4 @@
+// Snow in light.
+
+const vec3 snow_colour = vec3(0.90, 0.93, 0.97);
+const float light_within = 0.15;  // how far light gets within it; see lit
