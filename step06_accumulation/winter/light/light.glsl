@@ -36,7 +36,7 @@ layout(std140, binding = LIGHT_BLOCK) uniform LightBlock
 uniform sampler2DShadow shadow_map;
 uniform sampler3D sky_seen;  // see ambient_occlusion.cpp
 
-// How much of the sun reaches this point: 0 in shadow, 1 in the sun. The lookup compares with four texels and blends the
+// How much of the sun reaches this point: 0 in shadow, 1 in the sun. The lookup compares with texels around and blends the
 // results (percentage closer filtering: Reeves, Salesin and Cook, "Rendering antialiased shadows with depth maps", 1987).
 float sunlight_at(vec3 position)
 {
@@ -76,11 +76,17 @@ vec3 lamp_light(vec3 normal, vec3 position)
     return light.lamp * max(dot(normal, to_lamp), 0.0) * nearness * nearness * nearness;
 }
 
-// What is seen of a dull surface of this colour, from any side. normal: length 1. sunlight: the part of the sun's light
-// that gets here. around: how far light gets within, so that the sun reaches a little beyond where it grazes.
-vec3 lit(vec3 colour, vec3 normal, vec3 position, float sunlight, float around)
+// Light of sun and lamp on a surface. sunlight: the part of the sun's light that gets here. around: how far light gets
+// within, so that the sun reaches a little beyond where it grazes.
+vec3 direct_light(vec3 normal, vec3 position, float sunlight, float around)
 {
     float facing = max((dot(normal, light.to_sun) + around) / (1.0 + around), 0.0);
-    return colour * (ambient_light(normal, position) + facing * sunlight * light.sun + lamp_light(normal, position));
+    return facing * sunlight * light.sun + lamp_light(normal, position);
+}
+
+// What is seen of a dull surface of this colour, from any side. normal: length 1.
+vec3 lit(vec3 colour, vec3 normal, vec3 position, float sunlight, float around)
+{
+    return colour * (ambient_light(normal, position) + direct_light(normal, position, sunlight, around));
 }
 #endif

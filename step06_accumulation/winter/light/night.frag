@@ -2,7 +2,11 @@
 // The sky when the stars are out.
 
 #include "common/snow.glsl"
-#include "step06_accumulation/winter/light/sky.glsl"
+#include "step06_accumulation/winter/light/sun.glsl"
+
+in vec3 sight;
+in vec3 radiance;
+in float clear;
 
 out vec4 colour;
 
@@ -21,8 +25,6 @@ float star(vec3 direction)
 
 void main()
 {
-    vec3 direction = sight();
-    vec3 radiance = sky_in(direction);
-    if (direction.y > 0.0) radiance += light.stars * clear_in(direction) * star(direction);
-    colour = vec4(radiance, 1.0);
+    vec3 direction = normalize(sight);
+    colour = vec4(radiance + clear * (disc(direction) + light.stars * star(direction)), 1.0);
 }

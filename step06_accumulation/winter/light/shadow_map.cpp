@@ -1,5 +1,7 @@
 #include "step06_accumulation/winter/light/shadow_map.hpp"
 
+#include "common/harness/driver.hpp"
+
 namespace {
 
 constexpr GLsizei texels = 2048;  // along each edge
@@ -13,10 +15,12 @@ ShadowMap::ShadowMap()
     glBindTexture(GL_TEXTURE_2D, depth_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, texels, texels, 0, GL_DEPTH_COMPONENT,
                  GL_UNSIGNED_INT, nullptr);
-    // A lookup compares a depth with those of the four nearest texels and blends the results.
+    // A lookup compares a depth with those of the four nearest texels and blends the results; in
+    // software, where each takes its time, with one.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    const GLint filter = renders_in_software() ? GL_NEAREST : GL_LINEAR;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     // Beside the map there is no scene and no shadow.
     const float farthest[4] = {1, 1, 1, 1};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest);

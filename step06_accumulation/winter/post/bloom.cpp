@@ -10,7 +10,7 @@ Bloom::Bloom()
 std::vector<snow::Parameter> Bloom::parameters()
 {
     return {{"bloom", "glow", "", 0, 0.5f, "part of the light that spreads around what is bright",
-             &bloom}};
+             &bloom, 0, "", true}};
 }
 
 void Bloom::update(const LinearFrame& frame)

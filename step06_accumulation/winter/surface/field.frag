@@ -1,5 +1,5 @@
 #version 430 core
-// The field around the scene: from so far away snow is even.
+// The field around the scene: from so far away snow is even, and nothing hides the sky.
 
 #include "step06_accumulation/winter/light/light.glsl"
 #include "step06_accumulation/winter/surface/snow_colour.glsl"
@@ -16,6 +16,6 @@ void main()
     const vec3 up = vec3(0.0, 1.0, 0.0);
     float cover = smoothstep(0.0, 0.02, camera.field_depth);
     float sunlight = sunlight_at(world_position + 0.03 * up);
-    vec3 radiance = lit(mix(ground_colour, snow_colour, cover), up, world_position, sunlight, light_within * cover);
-    colour = vec4(air.rgb + air.a * radiance, 1.0);
+    vec3 light_here = light.sky + direct_light(up, world_position, sunlight, light_within * cover);
+    colour = vec4(air.rgb + air.a * mix(ground_colour, snow_colour, cover) * light_here, 1.0);
 }
