@@ -1,0 +1,115 @@
+// The surface of the snow: deep snow is even on what is not, and the field joins the ground.
+#include "step06_accumulation/winter/surface/snow_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "step05_collision/ground.hpp"
+#include "step06_accumulation/winter/surface/hollows.hpp"
+
+namespace {
+
+using glm::vec3;
+
+constexpr float ridge = 0.04f;  // m, above the valley
+
+// A roof of tiles: ridges and valleys 0.1 m apart, along z, on a plane that rises along x.
+float height(float x)
+{
+    return 0.3f * x + ridge * float(int(std::lround(10 * x)) & 1);
+}
+
+std::vector<SurfacePart> tiles()
+{
+    const auto corner = [](int x, float z) {
+        return SurfaceVertex{
+            {{0.1f * float(x), height(0.1f * float(x)), z}, {0, 1, 0}, {}, {}}, 1, 0, {}};
+    };
+    std::vector<SurfacePart> parts(1);
+    for (int x = -20; x < 20; ++x) {
+        const SurfaceVertex a = corner(x, -2), b = corner(x, 2), c = corner(x + 1, 2),
+                            d = corner(x + 1, -2);
+        parts[0].fine.insert(parts[0].fine.end(), {a, b, c, a, c, d});
+    }
+    return parts;
+}
+
+}  // namespace
+
+TEST(Hollows, AreFilledUpToTheMeanPlane)
+{
+    std::vector<SurfacePart> parts = tiles();
+    // Only corners in the middle, around which there is roof on all sides.
+    for (SurfaceVertex& corner : parts[0].fine) corner.vertex.position.z *= 0.1f;
+    std::vector<SurfacePart> around = tiles();
+    around.push_back(parts[0]);
+    find_hollows(around);
+    int seen = 0;
+    for (const SurfaceVertex& corner : around[1].fine) {
+        const vec3 place = corner.vertex.position;
+        if (std::abs(place.x) > 1) continue;
+        ++seen;
+        const float even = place.y + corner.even.w;
+        EXPECT_NEAR(even, 0.3f * place.x + 0.5f * ridge, 0.25f * ridge) << place.x;
+        const vec3 plane = glm::normalize(vec3(-0.3f, 1, 0));
+        EXPECT_GT(glm::dot(vec3(corner.even), plane), 0.995f)
+            << place.x;  // 6 degrees; a tile has 22
+    }
+    EXPECT_GT(seen, 50);
+}
+
+// Every corner of the ground along the edge of the grid is one of the field, too, and the other way
+// round: or there would be gaps between them once snow lifts both.
+TEST(Field, JoinsTheGroundCornerByCorner)
+{
+    VoxelGrid grid{};
+    grid.resolution = 64;
+    grid.cell_size = 0.29f;
+    grid.origin = {-9, -0.29f, -9.5f};
+    grid.words.resize(64 * 64 * 64 / 32);
+    Scene scene;
+    scene.vertices.push_back({});  // not the empty scene, but one without a floor
+    scene = with_ground(scene, grid);
+    const glm::vec2 low(grid.origin.x, grid.origin.z), high = low + 64 * grid.cell_size;
+    const auto on_edge = [&](vec3 p) {
+        const glm::vec2 place(p.x, p.z);
+        const float margin = 1e-4f;
+        return glm::all(glm::greaterThan(place, low - margin)) &&
+               glm::all(glm::lessThan(place, high + margin)) &&
+               (glm::any(glm::lessThan(place, low + margin)) ||
+                glm::any(glm::greaterThan(place, high - margin)));
+    };
+    const auto rounded = [](vec3 p) {
+        return std::pair(std::lround(1e3 * p.x), std::lround(1e3 * p.z));
+    };
+    std::set<std::pair<long, long>> ground, field;
+    for (size_t i = 1; i < scene.vertices.size(); ++i) {
+        if (on_edge(scene.vertices[i].position)) ground.insert(rounded(scene.vertices[i].position));
+    }
+    for (const SurfaceVertex& corner : make_field(grid, false).coarse) {
+        if (on_edge(corner.vertex.position)) field.insert(rounded(corner.vertex.position));
+    }
+    EXPECT_EQ(ground, field);
+    EXPECT_GT(ground.size(), 100u);
+}
+
+TEST(Field, FacesUp)
+{
+    VoxelGrid grid{};
+    grid.resolution = 32;
+    grid.cell_size = 0.5f;
+    for (const bool with_middle : {false, true}) {
+        const SurfacePart field = make_field(grid, with_middle);
+        for (const auto* corners : {&field.coarse, &field.bare}) {
+            for (size_t i = 0; i < corners->size(); i += 3) {
+                const vec3 a = (*corners)[i].vertex.position, b = (*corners)[i + 1].vertex.position,
+                           c = (*corners)[i + 2].vertex.position;
+                ASSERT_GE(glm::cross(b - a, c - a).y, 0);
+            }
+        }
+    }
+}
