@@ -61,7 +61,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
     frame_.begin(window.size(), without_sky);
     if (SnowSurface::scene != 0) {
         const auto stage = window.stage("scene");
-        surface_.draw(solid_.pictures, set_light, [this](Program& program) {
+        surface_.draw(weather, solid_.pictures, set_light, [this](Program& program) {
             columns_.set_depth(program);
             program.set_texture("snow", SNOW_UNIT, GL_TEXTURE_3D, smooth_snow_.texture());
         });

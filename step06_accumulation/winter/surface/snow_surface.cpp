@@ -138,6 +138,8 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     : vertices_(make_buffer()), indices_(make_buffer()), vao_(make_vertex_array()),
       on_bare_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/bare.vert"},
                 {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/bare.frag"}}),
+      on_dusted_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/bare.vert"},
+                  {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/dusted.frag"}}),
       on_field_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/field.vert"},
                  {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/field.frag"}}),
       plain_(programs_with("surface.frag")), sparkling_(programs_with("sparkling.frag")),
@@ -194,6 +196,8 @@ std::vector<snow::Parameter> SnowSurface::parameters()
          &scene},
         {"tessellation", "tessellation", "on/off", 0, 1,
          "the surface of the snow is as fine as it needs to be", &tessellation, 0, "", true},
+        {"dusting", "dusting", "on/off", 0, 1, "snow clings to walls that the wind blows against",
+         &dusting},
         {"sparkle", "sparkle", "on/off", 0, 1, "crystals on the snow flash in the sun", &sparkle},
     };
 }
@@ -220,7 +224,7 @@ void SnowSurface::draw(GLenum mode, const std::vector<Part>& parts, Program& pro
     }
 }
 
-void SnowSurface::draw(const ScenePictures& pictures,
+void SnowSurface::draw(const snow::Weather& weather, const ScenePictures& pictures,
                        const std::function<void(Program&)>& set_light,
                        const std::function<void(Program&)>& set_snow)
 {
@@ -229,14 +233,20 @@ void SnowSurface::draw(const ScenePictures& pictures,
         program.use();
         set_light(program);
     };
-    const auto use_on_snow = [&](Program& program) {
-        use(program);
-        set_snow(program);
+    const auto set_grain = [this](Program& program) {
         program.set("grain_size", 1.28f);
         program.set_texture("grain", GRAIN_UNIT, GL_TEXTURE_2D, grain_);
     };
-    use(on_bare_);
-    draw(GL_TRIANGLES, bare_, on_bare_, &pictures);
+    const auto use_on_snow = [&](Program& program) {
+        use(program);
+        set_snow(program);
+        set_grain(program);
+    };
+    const bool dusted = dusting != 0 && weather.wind != glm::vec3(0);
+    Program& on_walls = dusted ? on_dusted_ : on_bare_;
+    use(on_walls);
+    if (dusted) set_grain(on_walls);
+    draw(GL_TRIANGLES, bare_, on_walls, &pictures);
     Programs& on_snow = sparkle != 0 ? sparkling_ : plain_;
     use_on_snow(on_snow.as_is);
     draw(GL_TRIANGLES, fine_, on_snow.as_is, &pictures);

@@ -42,10 +42,11 @@ public:
     explicit SnowSurface(const SolidScene& solid);
 
     static std::vector<snow::Parameter> parameters();
-    inline static float scene = 1, tessellation = 1, sparkle = 1;  // switches
+    inline static float scene = 1, tessellation = 1, dusting = 1, sparkle = 1;  // switches
 
     // set_light gives a program in use the textures of light.glsl, set_snow those of the snow.
-    void draw(const ScenePictures& pictures, const std::function<void(Program&)>& set_light,
+    void draw(const snow::Weather& weather, const ScenePictures& pictures,
+              const std::function<void(Program&)>& set_light,
               const std::function<void(Program&)>& set_snow);
 
 private:
@@ -63,7 +64,7 @@ private:
 
     GlObject vertices_, indices_, vao_;
     std::vector<Part> bare_, fine_, coarse_, field_;
-    Program on_bare_, on_field_;
+    Program on_bare_, on_dusted_, on_field_;
     Programs plain_, sparkling_;
     GlObject grain_;
     float fine_enough_;  // m

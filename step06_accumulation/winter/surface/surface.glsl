@@ -20,10 +20,14 @@ void put_on_snow(vec3 position, vec3 normal, vec3 colour, vec2 uv, float lift, f
     const float margin = 1.0;  // m, along which the snow becomes that of the field
     vec2 half_size = vec2(0.5 * cell_size * float(resolution));
     vec2 outside = abs(position.xz - grid_origin.xz - half_size) - half_size;
-    beyond = smoothstep(0.0, margin, max(outside.x, outside.y));
+    float away = max(outside.x, outside.y);  // from the edge of the grid
+    beyond = smoothstep(0.0, margin, away);
     base_position = position;
     world_position = position;
-    float depth = mix(snow_at(position).x, camera.field_depth, beyond);
+    // Snow cannot slide out of the grid, and would pile up at a wall on its edge: drawn is what would be left if it could.
+    const float steepest = 0.78;  // the tangent of 38 degrees
+    float most = camera.field_depth + steepest * max(-away, 0.0);
+    float depth = min(mix(snow_at(position).x, camera.field_depth, beyond), most);
     const float filling = 0.3;  // m of snow that fill all hollows
     float filled = lift * smoothstep(0.0, filling, depth);
     world_position.y += lift * depth + filled * even.w;

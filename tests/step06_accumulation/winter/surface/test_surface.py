@@ -1,0 +1,44 @@
+"""What snow makes of surfaces: walls against the wind are dusted, and the field is as white as the ground."""
+
+import numpy
+import PIL.Image
+import pytest
+
+import scenes
+
+STEP = "step06_accumulation"
+
+
+@pytest.fixture
+def draw(programs, tmp_path):
+    def draw(text, *words):
+        (tmp_path / "dark.mtl").write_text("newmtl dark\nKd 0.05 0.05 0.05\n")
+        (tmp_path / "scene.obj").write_text(text)
+        programs.run_well(STEP, "--size", "320x180", "--voxels", 64, "--scene", tmp_path / "scene.obj", *words,
+                          "--screenshot", tmp_path / "picture.png")
+        return numpy.asarray(PIL.Image.open(tmp_path / "picture.png").convert("RGB")).astype(int)
+    return draw
+
+
+def test_snow_clings_to_the_weather_side(draw):
+    """Of a block that is seen from +x: wind against that side dusts it, and wind from behind does not."""
+    block = ("mtllib dark.mtl\nusemtl dark\n"
+             + scenes.text(scenes.FLOOR, scenes.box((-1.5, 0, -1.5), (1.5, 4, 1.5))))
+
+    def change(wind):
+        words = ["--particles", 0, "--timelapse", 1000, "--frames", 8, "--camera", "90,5,12", "--set", "sparkle=0",
+                 "--set", f"wind_x={wind}"]
+        on, off = (draw(block, *words, "--set", f"dusting={on}") for on in (1, 0))
+        return (abs(on - off).max(axis=2) > 8).sum()
+    assert change(-4) > 500  # of some 6,000 pixels that show it
+    assert change(4) == 0
+
+
+def test_no_line_where_the_scene_ends(draw):
+    """Snow goes on from the floor of the scene over bare ground to the field, without a step in brightness."""
+    picture = draw(scenes.text(scenes.FLOOR), "--particles", 5000, "--timelapse", 400, "--frames", 10,
+                   "--camera", "0,45,20", "--set", "billboards=0", "--set", "diameter_0=0.001",
+                   "--set", "diameter_1=0.001", "--set", "sparkle=0")
+    across = picture[60:120].mean(axis=(0, 2))  # columns of pixels: from field over floor to field
+    assert abs(numpy.diff(across)).max() < 6
+    assert across.max() - across.min() < 25
