@@ -7,11 +7,13 @@
 #define LIGHT_BLOCK 2
 
 // Buffers that shaders write
-#define FEEDBACK_BUFFER 0  // transform feedback
-#define LEDGER_BUFFER 0    // atomic counters
-#define FLAKES_BUFFER 0    // shader storage
-#define COVER_BUFFER 1     // shader storage
-#define SUMS_BUFFER 2      // shader storage
+#define FEEDBACK_BUFFER 0   // transform feedback
+#define LEDGER_BUFFER 0     // atomic counters
+#define FLAKES_BUFFER 0     // shader storage
+#define COVER_BUFFER 1      // shader storage
+#define SUMS_BUFFER 2       // shader storage
+#define DISTANCES_BUFFER 3  // shader storage
+#define ORDER_BUFFER 4      // shader storage
 
 // Texture units
 #define CRYSTALS_UNIT 0  // what flakes look like

@@ -85,10 +85,15 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         lamp_.draw_halo(daylight_.light(), frame_.depth());
         frame_.attach_depth();
     }
+    if (Flakes::sorted != 0) {
+        const auto stage = window.stage("sort");
+        depth_order_.sort(particles, live_);
+    }
     {
         const auto stage = window.stage("draw");
         glBindVertexArray(particles.vao());
         flakes_.draw(window, set_light, [this] {
+            if (Flakes::sorted != 0) return depth_order_.draw();
             for (const Range& half : live_) glDrawArrays(GL_POINTS, half.first, half.count);
         });
     }

@@ -9,6 +9,7 @@
 #include "step06_accumulation/winter/budget/flake_budget.hpp"
 #include "step06_accumulation/winter/budget/live_flakes.hpp"
 #include "step06_accumulation/winter/camera/camera_block.hpp"
+#include "step06_accumulation/winter/flakes/depth_order.hpp"
 #include "step06_accumulation/winter/flakes/flakes.hpp"
 #include "step06_accumulation/winter/light/ambient_occlusion.hpp"
 #include "step06_accumulation/winter/light/daylight.hpp"
@@ -62,6 +63,7 @@ private:
     Lamp lamp_;
     WindArrows arrows_;
     Flakes flakes_;
+    DepthOrder depth_order_;
     LinearFrame frame_;
     Bloom bloom_;
     Tone tone_;

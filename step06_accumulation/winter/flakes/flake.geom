@@ -25,6 +25,7 @@ void main()
         mat2 turn = mat2(1.0, 0.0, 0.0, 1.3 + 0.3 * sin(angle)) *
                     mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
         if (weather.kind == hail_kind) turn = mat2(1.0);
+        size *= mix(0.4, 1.0, left);  // what melts shrinks
         draw(position, flake[0].velocity, min(camera.shutter, age), size, left, turn);
     }
 }

@@ -24,6 +24,8 @@ std::vector<snow::Parameter> Flakes::parameters()
         {"splashes", "splashes", "on/off", 0, 1, "of drops that reach the ground", &splashes},
         {"blur", "out of focus", "on/off", 0, 1, "flakes close to the camera are large and soft",
          &blur},
+        {"sorted", "back to front", "on/off", 0, 1, "flakes close by hide those behind them",
+         &sorted},
         {"colours", "colours", "", 0, 3,
          "of flakes: 0 their own, 1 by speed, 2 by age, 3 by emitter", &colours},
     };

@@ -38,6 +38,21 @@ float edge_level(int a, int b)
     return mix(1.0, max(finest, 1.0), smoothstep(0.3, 1.5, bend * pixels_per_metre));
 }
 
+// Does the camera see nothing of the triangle, nor of what snow may make of it? Then all its corners lie beyond one and
+// the same side of what it sees.
+bool out_of_sight()
+{
+    float most = 1.0 + 2.0 * camera.field_depth;  // m, by which snow lifts it
+    bvec4 beyond = bvec4(true);
+    for (int i = 0; i < 3; ++i) {
+        vec4 place = camera.projection * camera.view * vec4(corner[i].position, 1.0);
+        vec2 margin = most * (1.0 + vec2(camera.projection[0][0], camera.projection[1][1]));  // of x and y, and of w
+        beyond = bvec4(beyond.x && place.x < -place.w - margin.x, beyond.y && place.x > place.w + margin.x,
+                       beyond.z && place.y < -place.w - margin.y, beyond.w && place.y > place.w + margin.y);
+    }
+    return any(beyond);
+}
+
 void main()
 {
     control[gl_InvocationID].position = corner[gl_InvocationID].position;
@@ -47,7 +62,10 @@ void main()
     control[gl_InvocationID].lift = corner[gl_InvocationID].lift;
     control[gl_InvocationID].skirt = corner[gl_InvocationID].skirt;
     control[gl_InvocationID].even = corner[gl_InvocationID].even;
-    if (gl_InvocationID == 0) {
+    if (gl_InvocationID == 0 && out_of_sight()) {
+        gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = 0.0;  // then there is no triangle
+        gl_TessLevelInner[0] = 0.0;
+    } else if (gl_InvocationID == 0) {
         // Edge i lies opposite to corner i.
         gl_TessLevelOuter[0] = edge_level(1, 2);
         gl_TessLevelOuter[1] = edge_level(2, 0);

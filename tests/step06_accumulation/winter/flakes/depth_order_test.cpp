@@ -1,0 +1,54 @@
+// Flakes from the farthest to the nearest, in a real window.
+#include "step06_accumulation/winter/flakes/depth_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "common/harness/options.hpp"
+#include "step06_accumulation/winter/camera/camera_block.hpp"
+
+class DepthOrderOf : public testing::TestWithParam<unsigned> {};
+
+// Every flake that lives is there once, and none is farther than the one before it.
+TEST_P(DepthOrderOf, SortsThoseThatLive)
+{
+    CommandLine command;
+    command.lesson = {
+        .name = "order", .idea = "a test", .minimum_gl = 4.3, .variants = {{"plain", nullptr}}};
+    command.variant = "plain";
+    command.weather = snow::make_weather("snow", GetParam(), 1);
+    command.size = {64, 64};
+    command.frames = 1;
+    Window window(command);
+    std::vector<snow::Particle> flakes = make_flakes(command.weather);
+    for (unsigned i = 0; i < flakes.size(); ++i) flakes[i] = born(i, i % 3, command.weather);
+    PingPong particles(flakes);
+    LiveFlakes live(GetParam());
+    live.resize(0.6f, particles);
+    CameraBlock camera;
+    DepthOrder order;
+    ASSERT_TRUE(window.begin_frame());
+    camera.update(window, 1);
+    order.sort(particles, live);
+
+    std::set<unsigned> alive;
+    for (const Range& half : live) {
+        for (int i = half.first; i < half.first + half.count; ++i) alive.insert(unsigned(i));
+    }
+    std::vector<unsigned> sorted(alive.size());
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, order.order());
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(sorted.size() * sizeof(unsigned)),
+                       sorted.data());
+    EXPECT_EQ(std::set<unsigned>(sorted.begin(), sorted.end()), alive);
+    const auto distance = [&](unsigned i) {
+        return -(window.view() * glm::vec4(flakes[i].position, 1)).z;
+    };
+    for (size_t i = 1; i < sorted.size(); ++i) {
+        // 1e-4 m: the card may round otherwise.
+        ASSERT_GE(distance(sorted[i - 1]) + 1e-4f, distance(sorted[i])) << i;
+    }
+}
+
+// One, a power of two, and what is none: up to many groups of the shader's.
+INSTANTIATE_TEST_SUITE_P(Counts, DepthOrderOf, testing::Values(1u, 2u, 5u, 1000u, 4096u, 30001u));
