@@ -1,7 +1,7 @@
 // The variant "compute": same as main.cpp, but a compute shader moves the flakes. It is no part of
 // drawing, may write to any place in a buffer, and so needs one buffer in place of two. But OpenGL
 // no longer sees to it that what was written is there for whoever reads it next: barriers do. New
-// calls: glBindBufferBase(GL_SHADER_STORAGE_BUFFER), glDispatchCompute, glMemoryBarrier.
+// calls: glBindBufferRange(GL_SHADER_STORAGE_BUFFER), glDispatchCompute, glMemoryBarrier.
 
 #include <GL/glew.h>
 
@@ -26,13 +26,10 @@ void run_compute(Window& window)
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
+    // No shader sees more of a buffer at once than this: so many flakes, in whole groups of 1024.
     GLint64 largest = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-    if (bytes > largest) {
-        throw std::runtime_error("--variant compute: this card's storage buffers hold " +
-                                 std::to_string(largest / GLint64(sizeof(Particle))) +
-                                 " flakes at most: try feedback");
-    }
+    const size_t piece = size_t(largest) / sizeof(Particle) / 1024 * 1024;
     const GlObject buffer = make_buffer();
     const GlObject vao = make_vertex_array();
     glBindVertexArray(vao);
@@ -58,10 +55,16 @@ void run_compute(Window& window)
         {
             const auto stage = window.stage("update");
             update.use();
-            glBindBufferBase(GL_SHADER_STORAGE_BUFFER, FLAKES_BUFFER, buffer);
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);
-                glDispatchCompute(GLuint(flakes.size() + 1023) / 1024, 1, 1);  // groups of 1024
+                for (size_t first = 0; first < flakes.size(); first += piece) {
+                    const size_t count = min(piece, flakes.size() - first);
+                    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, FLAKES_BUFFER, buffer,
+                                      GLintptr(first * sizeof(Particle)),
+                                      GLsizeiptr(count * sizeof(Particle)));
+                    update.set("first", uint(first));
+                    glDispatchCompute(GLuint(count + 1023) / 1024, 1, 1);
+                }
                 glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the next reads what this wrote
             }
             glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);  // and so does the draw

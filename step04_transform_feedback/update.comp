@@ -8,14 +8,15 @@
 // The largest group that every card takes. Every card also takes 65,535 of them, enough for the largest pool.
 layout(local_size_x = 1024) in;
 
-uniform uint tick;  // number of the time step
+uniform uint tick;   // number of the time step
+uniform uint first;  // index of the flake that this piece of the buffer begins with
 
 // std430 lays a Particle out as C++ does: each of its vec3 is followed by one float.
 layout(std430, binding = FLAKES_BUFFER) buffer Flakes { Particle flakes[]; };
 
 void main()
 {
-    uint index = gl_GlobalInvocationID.x;
+    uint place = gl_GlobalInvocationID.x, index = first + place;
     if (index >= weather.particles) return;  // the last group may reach beyond the pool
-    flakes[index] = advance(flakes[index], index, tick, weather);
+    flakes[place] = advance(flakes[place], index, tick, weather);
 }

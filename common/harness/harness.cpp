@@ -14,6 +14,7 @@
 #include "common/harness/benchmark.hpp"
 #include "common/harness/driver.hpp"
 #include "common/harness/dump.hpp"
+#include "common/harness/process.hpp"
 #include "common/harness/recorder.hpp"
 #include "common/harness/tour.hpp"
 #include "common/harness/window_system.hpp"
@@ -31,9 +32,14 @@ void Harness::begin_run()
     frames_in_last_ = 1;
     timer.clear();
     software_ = renders_in_software();
+    const unsigned flakes = command.weather.particles;
+    check_memory_for_flakes(flakes, software_, free_memory());
+    const double size = size_of_flakes(flakes);
+    char mebibytes[16];
+    std::snprintf(mebibytes, sizeof mebibytes, "%.*f", size < 10 ? 1 : 0, size);
     std::cout << command.lesson.name << " " << command.variant << ": " << renderer_name()
-              << ", OpenGL " << glGetString(GL_VERSION) << ", " << command.weather.particles
-              << " flakes, " << command.size.x << "x" << command.size.y << ", vsync "
+              << ", OpenGL " << glGetString(GL_VERSION) << ", " << flakes << " flakes of "
+              << mebibytes << " MiB, " << command.size.x << "x" << command.size.y << ", vsync "
               << vsync_state() << std::endl;
     if (software_) {
         std::cout

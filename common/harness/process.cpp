@@ -15,6 +15,13 @@
 #include <fstream>
 #endif
 
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "common/snow.hpp"
+
 namespace fs = std::filesystem;
 
 fs::path executable_folder()
@@ -42,4 +49,39 @@ double process_memory()
     std::ifstream("/proc/self/statm") >> pages >> resident;
     return double(resident) * double(sysconf(_SC_PAGESIZE)) / (1 << 20);
 #endif
+}
+
+double free_memory()
+{
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+#ifdef _WIN32
+    MEMORYSTATUSEX status{};
+    status.dwLength = sizeof status;
+    return GlobalMemoryStatusEx(&status) ? double(status.ullAvailPageFile) / (1 << 20) : unknown;
+#else
+    std::ifstream file("/proc/meminfo");
+    double kibibytes = 0;
+    for (std::string name; file >> name;) {
+        if (name == "MemAvailable:" && file >> kibibytes) return kibibytes / 1024;
+    }
+    return unknown;
+#endif
+}
+
+double size_of_flakes(unsigned flakes)
+{
+    return double(flakes) * sizeof(snow::Particle) / (1 << 20);
+}
+
+void check_memory_for_flakes(unsigned flakes, bool in_software, double available)
+{
+    const int copies = in_software ? 3 : 1;  // the first, from which two buffers are filled
+    const double needed = copies * size_of_flakes(flakes);
+    if (needed <= available) return;
+    char line[160];
+    std::snprintf(line, sizeof line,
+                  "not enough memory: %u flakes need %.0f MiB, %.0f MiB are free "
+                  "(try fewer --particles)",
+                  flakes, needed, available);
+    throw std::runtime_error(line);
 }

@@ -8,11 +8,12 @@
 
 uniform float flake_mass;  // units for each cubic metre of the cube around a flake
 
-// What a flake weighs, in units: the more the larger it is.
+// What a flake weighs, in units: the more the larger it is. Rounded up as often as it takes: of ten million flakes
+// one may weigh less than a unit, and their sum has to be right.
 uint mass_of(uint index)
 {
-    float d = diameter(index, weather);
-    return uint(min(flake_mass * d * d * d + 0.5, 1.0e8));  // 36 times as much still fits into a word
+    float d = diameter(index, weather), part = random_unit(index, tick, 4u, weather);
+    return uint(min(flake_mass * d * d * d + part, 1.0e8));  // 36 times as much still fits into a word
 }
 
 // The cell in which snow that comes down into the column of `cell` stays: the first above what is solid.

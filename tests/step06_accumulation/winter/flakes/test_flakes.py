@@ -157,3 +157,12 @@ def test_depth_in_a_minute_is_as_stated(deposit, lifetime):
     after, _, _ = deposit(3200, *more)
     depth = (after - before) / cover.full * cover.cell ** 3 / 16 ** 2  # m: the clouds are 16 m wide
     assert depth == pytest.approx(0.2 * 50 / 60, rel=0.05)
+
+
+def test_flakes_lighter_than_a_unit_weigh_as_much_together(deposit):
+    """As those of a pool of ten million do in large cells: a hundred thousandth of the snow, from as many stones."""
+    shared = [800, "--particles", 1000]
+    heavy, _, _ = deposit(*shared, "--set", "snowfall=1")
+    light, _, _ = deposit(*shared, "--set", "snowfall=1e-5")
+    # 5 %: of 4000 stones half a unit each, one or none, three standard deviations.
+    assert light == pytest.approx(1e-5 * heavy, rel=0.05)
