@@ -24,10 +24,23 @@ def test_picture_after_0_60_and_300_seconds(request, programs, tmp_path, camera)
     check_picture(request, programs, f"winter_{camera}_300s", read(tmp_path / "000060.png"))
 
 
-def test_picture_at_dusk(request, programs, tmp_path):
-    programs.run_well(STEP, *WINTER, "--set", "sun_height=-3", "--timelapse", 300, "--frames", 12,
-                      "--screenshot", tmp_path / "dusk.png")
-    check_picture(request, programs, "winter_dusk_60s", read(tmp_path / "dusk.png"))
+SIGHTS = {
+    "dusk": ["--set", "sun_height=-3"],
+    "night": ["--set", "sun_height=-12"],
+    "hail": ["--weather", "hail"],
+    "rain": ["--weather", "rain"],
+    "wind": ["--set", "wind_x=2"],
+    "flakes": ["--camera", "41,8,3"],
+    "crystals": ["--camera", "41,8,17", "--set", "diameter_0=0.5", "--set", "diameter_1=1"],
+    "costly": ["--set", "tessellation=1", "--set", "multisample=1", "--set", "bloom=0.06"],
+}
+
+
+@pytest.mark.parametrize("sight", SIGHTS)
+def test_picture_after_60_seconds(request, programs, tmp_path, sight):
+    programs.run_well(STEP, *WINTER, "--timelapse", 300, "--frames", 12, *SIGHTS[sight],
+                      "--screenshot", tmp_path / "sight.png")
+    check_picture(request, programs, f"winter_{sight}_60s", read(tmp_path / "sight.png"))
 
 
 @pytest.mark.parametrize("settling", [0, 1])
