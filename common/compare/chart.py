@@ -24,7 +24,9 @@ MARKERS = "os^DvPX"
 STAGE_COLOURS = {
     "update": "#77AADD", "upload": "#EEDD88", "settle": "#FFAABB", "melt": "#99DDFF",
     "depth": "#DDDDDD", "shadow": "#AAAAAA", "sky": "#D6ECFA", "scene": "#BBCC33",
-    "lamp": "#EE8866", "arrows": "#C8A27A", "draw": "#44BB99", "splash": "#D0B0E8"}
+    "lamp": "#EE8866", "arrows": "#C8A27A", "draw": "#44BB99", "smooth": "#E8E8B0",
+    "halo": "#F4C7A0", "sort": "#8FD0B0", "bloom": "#E0A0A0", "tone": "#D0B0E8"}
+LEGEND = {"frameon": False, "fontsize": 13, "handlelength": 1.6, "columnspacing": 1.0}
 OTHER_STAGE_COLOURS = ("#F4C7A0", "#AAAA00", "#8FD0B0", "#E0A0A0", "#B0B8F0")
 
 
@@ -80,7 +82,7 @@ def draw_frame_times(axes, experiment, lines):
                              if low <= digit * 10.0 ** power <= high])
     axes.grid(True, color="#DDDDDD")
     axes.set_axisbelow(True)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2, frameon=False)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2, **LEGEND)
 
 
 def label_ticks(axis, values):
@@ -156,4 +158,4 @@ def draw_stages(axes, experiment, lines):
     order = dict.fromkeys(stage for times in reversed(bars.values()) for stage in times
                           if stage in keys)
     axes.legend([keys[stage] for stage in order], order, loc="upper center", ncol=4,
-                bbox_to_anchor=(0.4, -0.12), frameon=False)
+                bbox_to_anchor=(0.4, -0.12), **LEGEND)
