@@ -44,7 +44,10 @@ struct Weather {
     float temperature;  // degrees Celsius; above 0 the snow that lies melts
     float repose;       // degrees, the steepest slope on which snow lies (its angle of repose)
     float restitution;  // part of its speed that a flake keeps when it bounces
-    uint kind;          // snow, rain or hail, as below
+    uint kind;          // snow, rain or hail, as above
+    float swirl;        // m/s, largest speed of the air's vortices along each axis
+    float vortex_size;  // m
+    vec2 unused;        // GLSL begins an array of structs at a multiple of 16 bytes
     Emitter emitters[2];
 };
 
@@ -157,6 +160,25 @@ SNOW_INLINE Particle unborn(uint index, SNOW_IN(Weather) weather)
     return p;
 }
 
+// ---- The air.
+
+// What vortices add to the wind, m/s, which carries them along. Air neither piles up nor comes out
+// of the ground: the divergence is 0 everywhere (its part along x is in proportion to c.x (c.y -
+// c.z), and the three cancel), and so is the speed along y at y = 0. s is much like a sine, and c
+// its slope, but made of parabolas: a sine is not the same on all cards, and would keep the CPU's
+// loops from being vectorised.
+SNOW_INLINE vec3 vortices(vec3 position, uint tick, SNOW_IN(Weather) weather)
+{
+    // They drift in calm air, too, or flakes would gather in lines that stay where they are.
+    vec3 drift = weather.wind + weather.swirl * vec3(0.3f, 0.0f, 0.2f);
+    vec3 place = position - float(tick) * weather.time_step * drift;
+    place /= 2.0f * weather.vortex_size;
+    vec3 turn = place - floor(place + 0.5f);  // -1/2 to 1/2, over two vortices of opposite sense
+    vec3 c = 1.0f - 4.0f * abs(turn);
+    vec3 s = 4.0f * turn * (1.0f + c);
+    return 0.5f * weather.swirl * s * vec3(c.y - c.z, c.z - c.x, c.x - c.y);
+}
+
 // ---- One time step of the motion, in the order move, settle, (collide,) accelerate, gone -> born.
 
 SNOW_INLINE bool airborne(Particle p)
@@ -208,12 +230,13 @@ SNOW_INLINE Particle settle(Particle p, SNOW_IN(Weather) weather)
 // Explicit Euler, second half: v' = v + dt (a + r). a is gravity less the drag of the air,
 // quadratic in the speed u relative to it and equal to gravity at terminal speed:
 // a = g - |g| |u| u / terminal^2. r is a random push that lasts 16 steps, the flutter of a flake.
-// air: its velocity around the flake, m/s; weather.wind where that blows evenly.
+// air: its velocity around the flake, m/s, but for vortices; weather.wind where that blows evenly.
 SNOW_INLINE Particle accelerate(Particle p, vec3 air, uint index, uint tick,
                                 SNOW_IN(Weather) weather)
 {
     float terminal = terminal_speed(index, weather);
     vec3 u = p.velocity - air;
+    if (weather.swirl != 0.0f) u -= vortices(p.position, tick, weather);
     // No drag stops a flake in less than one time step: beyond that limit Euler's method would
     // overshoot and, in a strong gust, explode.
     float drag =

@@ -18,9 +18,10 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.particles = particles;
     weather.seed = seed;
     weather.variation = 0.15f;
-    weather.snowfall = 0.1f;  // a blizzard, so that there is something to see within a minute
+    weather.snowfall = 0.1f;    // a blizzard, so that there is something to see within a minute
     weather.temperature = -14;  // in which stars grow, see step 3
-    weather.repose = 38;  // of old, coarse snow; fresh snow lies on slopes of about 50
+    weather.repose = 38;        // of old, coarse snow; fresh snow lies on slopes of about 50
+    weather.vortex_size = 4;    // and swirl = 0: none, unless they are asked for
     // Cloud 1 hangs higher than cloud 0 by as much as its flakes fall faster: both halves of the
     // pool are in the air for the same time and release in equal share (pool = rate x flight time,
     // Patrick 2000, 4.2.2.1). Snow falls at 1-2 m/s. Flakes are drawn some ten times too large, or

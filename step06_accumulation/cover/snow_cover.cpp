@@ -22,7 +22,7 @@ struct Sums {  // as snow_cover.glsl has them: little-endian, the low word first
 double time_in_air(snow::Weather weather, snow::uint emitter)
 {
     weather.particles = 2;
-    weather.variation = weather.turbulence = 0;
+    weather.variation = weather.turbulence = weather.swirl = 0;
     weather.lifetime = std::numeric_limits<float>::max();
     snow::Particle flake = snow::born(emitter, 0, weather);
     flake.position.y = weather.emitters[emitter].centre.y;

@@ -64,6 +64,57 @@ TEST(Physics, SpeedNeverExceedsTerminalSpeedPlusWindPlusTurbulence)
     }
 }
 
+// The field is made of parabolas, of which a central difference gives the slope exactly, but for
+// rounding, unless it reaches across a point where two of them meet: there are four in a period.
+TEST(Vortices, HaveNoDivergenceAndTurn)
+{
+    Weather weather = calm_weather(1);
+    weather.swirl = 2;
+    weather.wind = vec3(1, 0, -3);
+    const uint tick = 100;
+    const float h = weather.vortex_size / 32;  // m
+    const int count = 16;                      // places along each axis, a period apart in all
+    const auto at = [&](vec3 place) { return vortices(place, tick, weather); };
+    float fastest_x = 0, turning = 0;
+    for (int i = 0; i < count * count * count; ++i) {
+        const vec3 cell(i % count, i / count % count, i / count / count);
+        const vec3 drift = weather.wind + weather.swirl * vec3(0.3f, 0, 0.2f);
+        const vec3 place = float(tick) * weather.time_step * drift +
+                           2 * weather.vortex_size * (cell + 0.5f) / float(count);
+        float divergence = 0;
+        vec3 curl(0);
+        for (int axis = 0; axis < 3; ++axis) {
+            vec3 step(0);
+            step[axis] = h;
+            const vec3 slope = (at(place + step) - at(place - step)) / (2 * h);
+            divergence += slope[axis];
+            curl[(axis + 2) % 3] += slope[(axis + 1) % 3];
+            curl[(axis + 1) % 3] -= slope[(axis + 2) % 3];
+        }
+        EXPECT_NEAR(divergence, 0, 1e-4f);  // of speeds of some 1 m/s, over 0.25 m, at seven digits
+        turning = std::max(turning, length(curl));
+        fastest_x = std::max(fastest_x, std::abs(at(place).x));
+        EXPECT_LE(std::abs(at(place).x), weather.swirl);
+    }
+    EXPECT_GT(fastest_x, 0.8f * weather.swirl);
+    EXPECT_GT(turning, 1);              // a second
+    EXPECT_EQ(at(vec3(1, 0, 2)).y, 0);  // through the ground
+}
+
+TEST(Vortices, LeaveNoTraceWhereThereAreNone)
+{
+    Weather weather = make_weather("snow", 2000, 3);
+    weather.wind.x = 2;
+    std::vector<Particle> without = make_flakes(weather), with_faint = without;
+    for (uint tick = 0; tick < 900; ++tick) {
+        update_in_one_loop(without, tick, weather);
+        Weather faint = weather;
+        faint.swirl = 1e-30f;  // too slow for any bit, but computed
+        update_in_one_loop(with_faint, tick, faint);
+    }
+    EXPECT_EQ(std::memcmp(without.data(), with_faint.data(), without.size() * sizeof(Particle)), 0);
+}
+
 TEST(Physics, FlakeInCalmAirReachesItsTerminalSpeed)
 {
     const Weather weather = calm_weather(1.5f);
@@ -117,8 +168,8 @@ std::vector<uvec2> births_by_second(uint seed)
     return births;
 }
 
-// The births of a second grow in proportion to the time, for half as long as a flake falls: 3.5 s to
-// 4.7 s. Then they stay as many, without the burst and the gap of a common start.
+// The births of a second grow in proportion to the time, for half as long as a flake falls: 3.5 s
+// to 4.7 s. Then they stay as many, without the burst and the gap of a common start.
 TEST(Release, StartsThinAndHasNeitherBurstNorGap)
 {
     for (const uint seed : {1u, 7u}) {

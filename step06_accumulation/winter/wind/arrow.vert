@@ -21,8 +21,8 @@ void main()
     ivec3 place = ivec3(gl_InstanceID % 16, gl_InstanceID / 256, gl_InstanceID / 16 % 16);
     float spacing = cell_size * float(resolution) / 16.0;
     vec3 middle = grid_origin + spacing * (vec3(place) * vec3(1.0, 1.5, 1.0) + vec3(0.5, 0.75, 0.5));
-    vec3 air = wind_at(middle, tick);
-    float speed = length(air) / max(length(weather.wind), 0.001);  // of the undisturbed wind
+    vec3 air = wind_at(middle, tick) + vortices(middle, tick, weather);
+    float speed = length(air) / max(length(weather.wind) + weather.swirl, 0.001);  // of the undisturbed air
 
     vec3 along = air / max(length(air), 0.001);
     vec3 across = cross(along, camera.eye - middle);
