@@ -386,7 +386,7 @@ def test_a_number_is_typed_into_a_slider(open_program, tmp_path):
     program.press("Escape")
     out, err = program.process.communicate(timeout=PATIENCE)
     assert (program.process.returncode, err) == (0, "")
-    assert " 123 flakes, " in out
+    assert " 123 flakes of " in out
     assert len(Flakes(tmp_path / "flakes.csv").age) == 123
 
 
@@ -464,7 +464,7 @@ def test_panel_changes_flakes_and_variant(open_program, tmp_path):
     program.press("Escape")
     out, err = program.process.communicate(timeout=PATIENCE)
     assert (program.process.returncode, err) == (0, "")
-    runs = re.findall(r"^step02_vbo (\w+): .*, (\d+) flakes, ", out, re.MULTILINE)
+    runs = re.findall(r"^step02_vbo (\w+): .*, (\d+) flakes of ", out, re.MULTILINE)
     assert runs[0] == ("subdata", "20000")
     variants, counts = zip(*runs)
     assert variants[-1] == "orphan" and counts[-1] != "20000"

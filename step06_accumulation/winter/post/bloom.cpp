@@ -16,7 +16,7 @@ std::vector<snow::Parameter> Bloom::parameters()
 void Bloom::update(const LinearFrame& frame)
 {
     if (frame.size() != size_) allocate(frame.size());
-    const auto draw = [this](Program& program, const char* from, GLuint source, const Level& to) {
+    const auto draw = [](Program& program, const char* from, GLuint source, const Level& to) {
         program.use();
         program.set_texture(from, GLOW_UNIT, GL_TEXTURE_2D, source);
         program.set("pixel", 1.0f / glm::vec2(to.size));
