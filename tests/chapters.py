@@ -6,9 +6,6 @@ from conftest import ROOT, STEPS
 
 CHAPTERS = [*STEPS, "step06_accumulation/winter"]
 
-# Those that a student can build the step from. The others are still guided tours of the code.
-REWRITTEN = ["step01_cpu_points", "step02_vbo", "step03_shader_points", "step04_transform_feedback", "step05_collision", "step06_accumulation"]
-
 
 def chapter(folder):
     return (ROOT / folder / "README.md").read_text(encoding="utf-8")

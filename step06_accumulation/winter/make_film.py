@@ -20,6 +20,7 @@ if len(sys.argv) != 2:
 with tempfile.TemporaryDirectory() as folder:
     subprocess.run([sys.argv[1], "--size", "640x360", "--particles", "15000", "--timelapse", "24", "--tour",
                     "--set", "tessellation=1", "--set", "multisample=1", "--set", "bloom=0.06",
+                    "--set", "soft_shadows=1",
                     "--frames", str(SECONDS * RECORDED), "--record", folder], check=True)
     frames = [PIL.Image.open(path).convert("RGB")
               for path in sorted(pathlib.Path(folder).glob("*.png"))[::RECORDED // SHOWN]]

@@ -18,6 +18,7 @@ std::vector<snow::Parameter> Winter::parameters()
           snow::under("Flakes", Flakes::parameters()), snow::under("Wind", WindField::parameters()),
           snow::under("Light and air", Sky::parameters()),
           snow::under("Light and air", Daylight::parameters()),
+          snow::under("Light and air", ShadowMap::parameters()),
           snow::under("Picture", LinearFrame::parameters()),
           snow::under("Picture", Bloom::parameters()), snow::under("Picture", Tone::parameters()),
           snow::under("Frame rate", FlakeBudget::parameters())}) {

@@ -7,12 +7,11 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
-from chapters import CHAPTERS, REWRITTEN, blocks, chapter, prose, section
+from chapters import CHAPTERS, blocks, chapter, prose, section
 from conftest import ROOT, STEPS
 
 COMPARISON = ROOT / "common" / "compare" / "example" / "compare.md"
 SOURCES = (".cpp", ".hpp", ".glsl", ".vert", ".frag", ".geom", ".comp", ".tesc", ".tese")
-LESSONS = [folder for folder in REWRITTEN if folder in STEPS]  # the winter lists only what it explains
 
 
 def words(text):
@@ -37,7 +36,7 @@ def so_far(folder):
 
 # ---- The text.
 
-@pytest.mark.parametrize("folder", REWRITTEN)
+@pytest.mark.parametrize("folder", CHAPTERS)
 def test_sections_are_those_of_every_chapter(folder):
     number = CHAPTERS.index(folder) + 1
     before = "What a particle system is" if number == 1 else f"What is wrong with step {number - 1}"
@@ -52,13 +51,13 @@ def test_sections_are_those_of_every_chapter(folder):
         assert last.startswith("Next: ") and (number == len(STEPS) or f"{STEPS[number]}/main.cpp" in last)
 
 
-@pytest.mark.parametrize("folder", REWRITTEN)
+@pytest.mark.parametrize("folder", CHAPTERS)
 def test_length(folder):
     """Long enough to explain, short enough to be read: code and tables are not counted."""
     assert 1500 <= len(prose(folder).split()) <= 3500
 
 
-@pytest.mark.parametrize("folder", REWRITTEN)
+@pytest.mark.parametrize("folder", CHAPTERS)
 def test_every_stage_ends_in_a_checkpoint(folder):
     stages = re.split(r"^### ", section(folder, "Build it"), flags=re.MULTILINE)[1:]
     assert 4 <= len(stages) <= 8
@@ -101,9 +100,12 @@ def copied(step):
     return re.findall(r"\]\(([\w/]+\.\w+)\)", " ".join(paragraphs))
 
 
-@pytest.mark.parametrize("step", LESSONS)
+@pytest.mark.parametrize("step", STEPS)
 def test_all_that_is_new_is_listed(step):
-    """Each line that main.cpp has and the step before has not, and the files that it uses."""
+    """Each line that main.cpp has and the step before has not, and the files that it uses.
+
+    The winter's chapter is a tour, which lists only the heart of each part.
+    """
     new = {name: lines_of_code((ROOT / step / name).read_text(encoding="utf-8")) for name in used_by(step)}
     if step != STEPS[0]:
         before = ROOT / STEPS[STEPS.index(step) - 1] / "main.cpp"
@@ -116,7 +118,7 @@ def test_all_that_is_new_is_listed(step):
     assert not missing, "\n".join(missing)
 
 
-@pytest.mark.parametrize("step", [step for step in LESSONS if step < "step06"])
+@pytest.mark.parametrize("step", [step for step in STEPS if step < "step06"])
 def test_all_that_is_other_in_a_variant_is_listed(step):
     """Step 6 has one, the winter, with a chapter of its own."""
     own = [path.name for path in (ROOT / step).glob("*.cpp") if not path.with_suffix(".hpp").exists()]
@@ -132,7 +134,7 @@ def test_all_that_is_other_in_a_variant_is_listed(step):
             assert not missing, f"{file}: " + "\n".join(missing)
 
 
-@pytest.mark.parametrize("folder", REWRITTEN)
+@pytest.mark.parametrize("folder", CHAPTERS)
 def test_new_calls_are_explained(folder):
     """Each call of OpenGL that the series makes here for the first time, with its arguments."""
     def calls(one):
@@ -148,7 +150,7 @@ def changes(diff):
     return [line for line in diff.splitlines() if re.match(r"[+-](?![+-]{2} )", line)]
 
 
-@pytest.mark.parametrize("folder", REWRITTEN)
+@pytest.mark.parametrize("folder", CHAPTERS)
 def test_edits_quoted_are_those_in_the_folder(folder):
     """Each diff in the chapter is a patch beside it, and the patch of each wrong picture is quoted."""
     def patches(names):
@@ -199,7 +201,7 @@ def test_links_lead_somewhere(folder):
             assert url.fragment in anchors(page.read_text(encoding="utf-8")), link
 
 
-@pytest.mark.parametrize("folder", [*REWRITTEN, "."])
+@pytest.mark.parametrize("folder", [*CHAPTERS, "."])
 def test_pictures_are_shown_and_described(folder):
     """All in the chapter's folder, each with a text for those who do not see it."""
     shown = dict(re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", chapter(folder)))
@@ -242,7 +244,7 @@ def test_measured_times_are_those_of_the_comparison(folder):
     assert set(rows) <= set(COMPARISON.read_text(encoding="utf-8").splitlines())
 
 
-@pytest.mark.parametrize("folder", REWRITTEN)
+@pytest.mark.parametrize("folder", CHAPTERS)
 def test_every_exercise_is_tested(folder):
     """It says what to expect; a test in test_solutions_step01.py, say, does it, with its patch if it is an edit."""
     exercises = re.split(r"^(\d+)\. ", section(folder, "Exercises"), flags=re.MULTILINE)[1:]

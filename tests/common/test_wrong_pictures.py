@@ -9,7 +9,7 @@ import re
 
 import pytest
 
-from chapters import CHAPTERS, REWRITTEN, chapter
+from chapters import CHAPTERS, chapter
 from conftest import ROOT
 from edited_copy import changed_files, is_compiled
 from pictures import check_against, read
@@ -28,7 +28,7 @@ def patches(folder):
     return {path.stem for path in (ROOT / folder).glob("*.patch")}
 
 
-@pytest.mark.parametrize("folder", REWRITTEN)
+@pytest.mark.parametrize("folder", CHAPTERS)
 def test_every_edit_has_its_picture_and_command(folder):
     assert patches(folder) <= set(commands(folder))
 

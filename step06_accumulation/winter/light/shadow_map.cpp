@@ -1,7 +1,5 @@
 #include "step06_accumulation/winter/light/shadow_map.hpp"
 
-#include "common/harness/driver.hpp"
-
 namespace {
 
 constexpr GLsizei texels = 2048;  // along each edge
@@ -15,12 +13,7 @@ ShadowMap::ShadowMap()
     glBindTexture(GL_TEXTURE_2D, depth_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, texels, texels, 0, GL_DEPTH_COMPONENT,
                  GL_UNSIGNED_INT, nullptr);
-    // A lookup compares a depth with those of the four nearest texels and blends the results; in
-    // software, where each takes its time, with one.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    const GLint filter = renders_in_software() ? GL_NEAREST : GL_LINEAR;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     // Beside the map there is no scene and no shadow.
     const float farthest[4] = {1, 1, 1, 1};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest);
@@ -34,8 +27,19 @@ ShadowMap::ShadowMap()
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+std::vector<snow::Parameter> ShadowMap::parameters()
+{
+    return {{"soft_shadows", "soft shadows", "on/off", 0, 1, "along the edges of shadows",
+             &soft_shadows, 0, "", true}};
+}
+
 void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ivec2 window)
 {
+    // A lookup compares a depth with those of the four nearest texels and blends the results, or
+    // with one.
+    glBindTexture(GL_TEXTURE_2D, depth_);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, soft_shadows != 0 ? GL_LINEAR : GL_NEAREST);
     if (light.to_sun == drawn_for_) return;
     drawn_for_ = light.to_sun;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

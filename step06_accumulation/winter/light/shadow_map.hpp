@@ -4,6 +4,7 @@
 #include <GL/glew.h>
 
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "common/gl_object.hpp"
 #include "common/program.hpp"
@@ -13,6 +14,9 @@
 class ShadowMap {
 public:
     ShadowMap();
+
+    static std::vector<snow::Parameter> parameters();
+    inline static float soft_shadows = 1;  // a switch
 
     // Draws the map anew if the sun has moved; the scene never does. window: its size, pixels.
     void update(const snow::Light& light, const SceneMesh& mesh, glm::ivec2 window);

@@ -68,9 +68,10 @@ def test_software_leaves_off_what_is_costly(programs):
         output = programs.run_well(STEP, "--size", "64x64", "--voxels", 32, "--frames", 1, *words).stdout
         lines = [line for line in output.splitlines() if line.startswith("left off")]
         return lines[0].partition(": ")[2].split(", ") if lines else []
-    assert left_off() == ["tessellation", "multisample", "bloom"]
-    assert left_off("--set", "multisample=1", "--set", "bloom=0") == ["tessellation"]
-    assert left_off("--set", "tessellation=1", "--set", "multisample=1", "--set", "bloom=0.1") == []
+    assert left_off() == ["tessellation", "soft_shadows", "multisample", "bloom"]
+    assert left_off("--set", "multisample=1", "--set", "bloom=0") == ["tessellation", "soft_shadows"]
+    assert left_off("--set", "tessellation=1", "--set", "soft_shadows=1", "--set", "multisample=1",
+                    "--set", "bloom=0.1") == []
     assert left_off("--variant", "cells") == []
 
 
