@@ -1,5 +1,5 @@
 #version 430 core
-// The same in the wind: on its weather side snow clings to what is rough.
+// As bare.frag, in the wind: on its weather side snow clings to what is rough.
 
 #include "common/weather_block.glsl"
 #include "step06_accumulation/winter/surface/bare.glsl"

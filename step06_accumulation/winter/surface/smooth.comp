@@ -1,6 +1,6 @@
 #version 430 core
 // Notes how the snow looks from above, in a 3D texture which the card filters: for every cell at a surface of the scene
-// how much of that is hidden, and how steep the snow lies there. What is nine lookups here is one in surface.frag.
+// how much of that is hidden, and how steep the snow lies there. What is nine lookups here is one in look.glsl.
 
 #include "step06_accumulation/cover/column.glsl"
 #include "step06_accumulation/winter/surface/snow_texture.glsl"

@@ -1,5 +1,5 @@
 #version 430 core
-// The same, and crystals at the surface of the snow flash in the sun.
+// As surface.frag, and crystals at the surface of the snow flash in the sun.
 
 #include "common/snow.glsl"
 #include "step06_accumulation/winter/surface/look.glsl"
