@@ -2,12 +2,6 @@
 
 #include <algorithm>
 
-namespace {
-
-constexpr unsigned turns = 64;  // time steps in a round, in which every column has its turn once
-
-}  // namespace
-
 Columns::Columns(const SolidScene& solid, const SnowCover& cover)
     : solid_(solid), cover_(cover),
       settle_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/settle.comp"}}),

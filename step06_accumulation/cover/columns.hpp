@@ -19,6 +19,9 @@ public:
     static std::vector<snow::Parameter> parameters();
     inline static float settling = 1, melting = 1;
 
+    // Time steps in a round, in which every column has its turn once.
+    static constexpr unsigned turns = 64;
+
     // What the last `ticks` time steps, up to number `tick`, have to do; in each a part of the
     // columns has its turn.
     void settle(unsigned tick, int ticks);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "step06_accumulation/cover/columns.hpp"
+
 void CameraBlock::update(const Window& window, unsigned tick)
 {
     const snow::Weather& weather = window.options().weather;
@@ -21,7 +23,7 @@ void CameraBlock::update(const Window& window, unsigned tick)
     // the cover; and depth.comp lets that appear in some ten rounds.
     const snow::Emitter& cloud = weather.emitters[0];
     const float late = 1.25f * cloud.centre.y / cloud.terminal_speed + weather.melt_time +
-                       10 * 64 * weather.time_step;  // s
+                       10 * Columns::turns * weather.time_step;  // s
     camera_.field_depth =
         weather.snowfall / 60.0f * std::max(float(tick) * weather.time_step - late, 0.0f);
     block_.update(CAMERA_BLOCK, camera_);

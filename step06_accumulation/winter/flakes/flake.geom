@@ -5,6 +5,17 @@
 
 layout(max_vertices = 4) out;
 
+// What is left of a flake that has been in the air so long, s: in warm air it begins to melt on its way. Hailstones are
+// too large for that.
+float frozen(float seconds)
+{
+    // Of a flake in air of one degree, each second. Snow is rain some 300 m below the height where it is 0 degrees; but the
+    // way from our clouds is 12 m.
+    const float rate = 0.02;
+    if (weather.kind == hail_kind) return 1.0;
+    return 1.0 - clamp(rate * weather.temperature * seconds, 0.0, 1.0);
+}
+
 void main()
 {
     vec3 position = flake[0].position;
@@ -25,7 +36,7 @@ void main()
         mat2 turn = mat2(1.0, 0.0, 0.0, 1.3 + 0.3 * sin(angle)) *
                     mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
         if (weather.kind == hail_kind) turn = mat2(1.0);
-        size *= mix(0.4, 1.0, left);  // what melts shrinks
+        size *= mix(0.4, 1.0, left * frozen(age - rest));  // what melts shrinks
         draw(position, flake[0].velocity, min(camera.shutter, age), size, left, turn);
     }
 }

@@ -37,16 +37,16 @@ void Flakes::draw(const Window& window, const std::function<void(Program&)>& set
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
     if (billboards != 0) {
-        const bool splashing = splashes != 0 && window.options().weather.kind == snow::rain_kind;
-        for (Program* program : {&billboard_, splashing ? &splash_ : nullptr}) {
-            if (program == nullptr) continue;
-            program->use();
-            set_light(*program);
-            program->set("blur", blur != 0 ? 1 : 0);
-            program->set("colours", int(std::lround(colours)));
-            program->set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals_);
+        const auto draw_with = [&](Program& program) {
+            program.use();
+            set_light(program);
+            program.set("blur", blur != 0 ? 1 : 0);
+            program.set("colours", int(std::lround(colours)));
+            program.set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals_);
             draw_points();
-        }
+        };
+        draw_with(billboard_);
+        if (splashes != 0 && window.options().weather.kind == snow::rain_kind) draw_with(splash_);
     } else {
         sprite_.use();
         sprite_.set("view", window.view());

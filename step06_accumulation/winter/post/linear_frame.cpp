@@ -35,7 +35,7 @@ void LinearFrame::end_edges()
 
 void LinearFrame::detach_depth() const
 {
-    glBindFramebuffer(GL_FRAMEBUFFER, flat_framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, colours_only_);
 }
 
 void LinearFrame::attach_depth() const
@@ -63,9 +63,9 @@ void LinearFrame::allocate(int samples)
     };
     colour_ = texture(GL_RGBA16F, GL_RGBA, GL_FLOAT);
     depth_ = texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
-    flat_framebuffer_ = make_framebuffer();
+    colours_only_ = make_framebuffer();
     framebuffer_ = make_framebuffer();
-    for (const GLuint framebuffer : {GLuint(flat_framebuffer_), GLuint(framebuffer_)}) {
+    for (const GLuint framebuffer : {GLuint(colours_only_), GLuint(framebuffer_)}) {
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_, 0);
     }

@@ -37,6 +37,6 @@ private:
 
     glm::ivec2 size_{};
     int samples_ = 0;  // a pixel, of what edges are drawn into
-    GlObject colour_, depth_, framebuffer_, flat_framebuffer_;
+    GlObject colour_, depth_, framebuffer_, colours_only_;
     GlObject many_colours_, many_depths_, many_framebuffer_;  // where there are several
 };

@@ -36,7 +36,7 @@ Look look_at_surface()
     const float hollow = 0.012;  // m, deepest
     vec3 lying = snow_of(texture(snow, (base_position - grid_origin) / (cell_size * float(resolution))));
     lying = mix(lying, vec3(min(camera.field_depth, deep), 0.0, 0.0), beyond);
-    float cover = normal.y > 0.1 ? smoothstep(0.0, 0.008, lying.x - hollow * fine.b) : 0.0;
+    float cover = is_behind ? 0.0 : smoothstep(0.0, 0.008, lying.x - hollow * fine.b);
     vec3 snow_normal = normal / max(normal.y, 0.2) - vec3(lying.y, 0.0, lying.z);
     if (is_skirt > 0.0) {
         cover = is_skirt;

@@ -16,7 +16,7 @@ SmoothSnow::SmoothSnow(const Columns& columns, int resolution)
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
-    update(64, 64);  // a round, in which every column has its turn
+    update(Columns::turns, Columns::turns);  // every column, once
 }
 
 void SmoothSnow::update(unsigned tick, int ticks)

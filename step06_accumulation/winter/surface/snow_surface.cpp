@@ -25,7 +25,7 @@ struct BytewiseLess {
 std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough)
 {
     constexpr float longest = 1;          // m
-    constexpr float least_upward = 0.1f;  // normal.y of a surface that snow can lie on
+    constexpr float least_upward = 0.1f;  // normal.y, as in scene.frag of step 6
     std::vector<SurfacePart> parts;
     const auto add = [&](const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
         const auto longer = [&](const SurfaceVertex& p, const SurfaceVertex& q) {

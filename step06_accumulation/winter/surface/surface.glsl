@@ -1,5 +1,6 @@
 // Lifts a point of the scene by the snow that lies on it, and hands it on to look.glsl.
 
+#include "common/weather_block.glsl"
 #include "step06_accumulation/winter/light/air.glsl"
 #include "step06_accumulation/winter/surface/smooth_depth.glsl"
 
@@ -25,8 +26,7 @@ void put_on_snow(vec3 position, vec3 normal, vec3 colour, vec2 uv, float lift, f
     base_position = position;
     world_position = position;
     // Snow cannot slide out of the grid, and would pile up at a wall on its edge: drawn is what would be left if it could.
-    const float steepest = 0.78;  // the tangent of 38 degrees
-    float most = camera.field_depth + steepest * max(-away, 0.0);
+    float most = camera.field_depth + tan(radians(weather.repose)) * max(-away, 0.0);
     float depth = min(mix(snow_at(position).x, camera.field_depth, beyond), most);
     const float filling = 0.3;  // m of snow that fill all hollows
     float filled = lift * smoothstep(0.0, filling, depth);
