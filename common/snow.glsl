@@ -47,7 +47,8 @@ struct Weather {
     uint kind;          // snow, rain or hail, as above
     float swirl;        // m/s, largest speed of the air's vortices along each axis
     float vortex_size;  // m
-    vec2 unused;        // GLSL begins an array of structs at a multiple of 16 bytes
+    uint follow;        // 1: the clouds go where the camera goes, see wrapped
+    float unused;       // GLSL begins an array of structs at a multiple of 16 bytes
     Emitter emitters[2];
 };
 
@@ -129,9 +130,11 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
                        random_unit(index, tick, 3u, weather));
     Particle p;
     p.position = centre + half_size * (2.0f * corner - 1.0f);
-    vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
-    p.position =
-        clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
+    if (weather.follow == 0u) {  // or what is blown out comes in again, see wrapped
+        vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
+        p.position =
+            clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
+    }
     p.age = 0.0f;
     p.velocity = weather.wind;
     p.rest = 0.0f;
@@ -249,6 +252,21 @@ SNOW_INLINE Particle accelerate(Particle p, vec3 air, uint index, uint tick,
     return p;
 }
 
+// Where the clouds go with the camera, the air under each repeats itself for ever along x and z: a
+// flake that the wind blows out on one side, or that a cloud leaves behind, comes in on the other,
+// as if it had long been falling there. It is the same flake: nothing has left, nothing is
+// released. What lies stays where it fell.
+SNOW_INLINE Particle wrapped(Particle p, uint index, SNOW_IN(Weather) weather)
+{
+    if (weather.follow == 0u || !airborne(p)) return p;
+    bool first = of_first_emitter(index, weather);
+    vec3 centre = first ? weather.emitters[0].centre : weather.emitters[1].centre;
+    vec3 width = 2.0f * (first ? weather.emitters[0].half_size : weather.emitters[1].half_size);
+    vec3 widths = floor((p.position - centre) / width + 0.5f);
+    p.position -= width * vec3(widths.x, 0.0f, widths.z);
+    return p;
+}
+
 // What is left of a flake's time to lie on a surface, s.
 SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
 {
@@ -262,7 +280,8 @@ SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
     float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
     float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
     float z = min(p.position.z - weather.world_min.z, weather.world_max.z - p.position.z);
-    return min(lifetime(index, weather) - (p.age - p.rest), min(x, min(y, z)));
+    float way = weather.follow != 0u ? y : min(x, min(y, z));  // the air goes on for ever: wrapped
+    return min(lifetime(index, weather) - (p.age - p.rest), way);
 }
 
 SNOW_INLINE bool gone(Particle p, uint index, SNOW_IN(Weather) weather)

@@ -23,6 +23,19 @@ float meet(vec3 from, vec3 way, vec3 a, vec3 b, vec3 c)
     return fraction >= 0.0 && fraction <= 1.0 ? fraction : 2.0;
 }
 
+// Does no triangle hang above this point?
+bool open_sky(vec3 position)
+{
+    const vec3 up = vec3(0.0, 1000.0, 0.0);  // m
+    for (int i = 0; i < triangle_count; ++i) {
+        vec3 a = texelFetch(triangles, 3 * i).xyz;
+        vec3 b = texelFetch(triangles, 3 * i + 1).xyz;
+        vec3 c = texelFetch(triangles, 3 * i + 2).xyz;
+        if (meet(position, up, a, b, c) <= 1.0) return false;
+    }
+    return true;
+}
+
 Particle collide(vec3 from, Particle p, Weather weather)
 {
     const float gap = 0.0005;  // m, kept from a surface so that the next step starts outside of it

@@ -9,3 +9,4 @@ bool solid(ivec3 cell)
 }
 
 #include "step05_collision/voxel_walk.glsl"
+#include "step05_collision/open_sky.glsl"

@@ -1,8 +1,9 @@
 // One time step of one flake, as in step 4, with the scene in its way. What happens to it is counted.
 // Whoever includes this has defined collide(from, p, weather): what becomes of a flake p that has just
-// moved in a straight line from `from`.
+// moved in a straight line from `from`; and open_sky(position), see follow.glsl.
 
 #include "step04_transform_feedback/flake_state.glsl"
+#include "step05_collision/follow.glsl"
 #include "step05_collision/ledger.glsl"
 
 void main()
@@ -11,7 +12,7 @@ void main()
     Particle p = settle(move(load_flake(), weather), weather);
     if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
     p = accelerate(p, weather.wind, index, tick, weather);
-    if (gone(p, index, weather)) {
+    if (!goes_on(p, index) || gone(p, index, weather)) {
         if (old_age >= 0.0) count_end(melt_left(p, weather) < 0.0);
         p = born(index, tick, weather);
         count_release();

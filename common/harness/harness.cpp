@@ -82,6 +82,10 @@ void Harness::begin_frame(Camera& camera)
         if (drawn_ >= command.warmup)
             tour_time_ += command.reproducible() ? 1 / 60.0 : frame_seconds;
     }
+    if (command.weather.follow != 0) {
+        for (snow::Emitter& cloud : command.weather.emitters)
+            cloud.centre = {camera.eye().x, cloud.centre.y, camera.eye().z};
+    }
     const Timing timing = measuring()   ? timing_of_frame(command, drawn_, software_)
                           : show_panel_ ? Timing::queries
                                         : Timing::off;

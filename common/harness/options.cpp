@@ -196,6 +196,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     unsigned particles = 20000, seed = 1;
     std::string preset = "snow", up = "y", size = "1280x720", camera;
     std::vector<std::string> settings;
+    bool follow = false;
 
     CLI::App app(lesson.name + ": " + lesson.idea);
     const auto add_path = [&app](const char* name, std::filesystem::path& path, const char* what) {
@@ -217,6 +218,8 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                  "OBJ file to land on instead, in the scene's coordinates (the scene)");
         app.add_option("--up", up, "axis that points up in those files (y)")
             ->check(CLI::IsMember({"y", "z"}));
+        app.add_flag("--follow", follow,
+                     "keep the clouds above the camera: it snows wherever that goes (they stay)");
         app.add_option("--voxels", command.voxels, "voxels along the scene's longest axis (256)");
         app.add_option("--voxeliser", command.voxeliser, "where their grid is made (cpu)")
             ->check(CLI::IsMember({"cpu", "gpu"}));
@@ -286,6 +289,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         if (hint != nullptr && hint->count() > 0) check_hint(command);
         if (!camera.empty()) place_camera(camera, command.camera);
         command.weather = snow::make_weather(preset, particles, seed);
+        command.weather.follow = follow ? 1 : 0;
         for (const std::string& setting : settings) apply_setting(setting, command);
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();

@@ -5,6 +5,8 @@
 #include "step05_collision/ledger.glsl"
 #include "step06_accumulation/cover/snow_cover.glsl"
 #include "step05_collision/voxel_walk.glsl"
+#include "step05_collision/open_sky.glsl"
+#include "step05_collision/follow.glsl"
 
 uniform float flake_mass;  // units for each cubic metre of the cube around a flake
 
@@ -59,7 +61,7 @@ void main()
     Particle p = settle(move(load_flake(), weather), weather);
     if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
     p = accelerate(p, air_at(p.position), index, tick, weather);
-    if (gone(p, index, weather)) {
+    if (!goes_on(p, index) || gone(p, index, weather)) {
         bool has_melted = melt_left(p, weather) < 0.0;
         if (old_age >= 0.0) {
             uint amount = mass_of(index);

@@ -352,6 +352,27 @@ TEST(Physics, FlakeThatNeverLandsIsLostAfterItsLifetime)
 }
 
 // Explicit loops, a call for each flake: the order of the work is all that differs.
+TEST(Follow, MovesAFlakeByWholeWidthsOfItsCloudAndOnlyIfAsked)
+{
+    Weather weather = calm_weather(1);
+    for (Emitter& cloud : weather.emitters) cloud.centre += vec3(100, 0, -50);
+    Particle flake{{0, 3, 1}, 5, {1, -1, 2}, 0};
+    EXPECT_EQ(wrapped(flake, 0, weather).position, flake.position);
+    weather.follow = 1;
+    const Particle there = wrapped(flake, 0, weather);
+    EXPECT_EQ(there.position, vec3(96, 3, -47));  // 6 and -3 times 16 m
+    EXPECT_EQ(there.velocity, flake.velocity);
+    EXPECT_EQ(there.age, flake.age);
+    EXPECT_EQ(wrapped(there, 0, weather).position, there.position);
+    EXPECT_FALSE(gone(there, 0, weather));  // though it is outside the world box
+    flake.rest = 1;
+    EXPECT_EQ(wrapped(flake, 0, weather).position, flake.position);  // it lies
+    EXPECT_FALSE(gone(flake, 0, weather));
+    flake.age = -1;
+    flake.rest = 0;
+    EXPECT_EQ(wrapped(flake, 0, weather).position, flake.position);  // it waits
+}
+
 TEST(Update, OneLoopThreeLoopsAndAdvanceAgreeToTheLastBit)
 {
     for (const uint particles : {0u, 1u, 63u, 64u, 65u, 1000u}) {

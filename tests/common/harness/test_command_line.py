@@ -38,7 +38,7 @@ def test_bad_usage(programs, step, arguments):
 
 
 OPTIONS = ["--particles", "--variant", "--weather", "--set", "--scene", "--up", "--voxels",
-           "--groups", "--point-size", "--hold-fps", "--seed", "--size", "--camera", "--tour",
+           "--follow", "--groups", "--point-size", "--hold-fps", "--seed", "--size", "--camera", "--tour",
            "--vsync", "--frames", "--warmup", "--timelapse", "--benchmark", "--csv", "--realtime",
            "--record", "--screenshot", "--dump", "--dump-cover", "--debug", "-x", "--", "-"]
 VALUES = ["", "0", "1", "-1", "64", "1e9", "nan", "inf", "4294967296", "99999999999999999999", "0x10",
@@ -70,7 +70,7 @@ def test_bad_usage_of_scene_options(programs, step, arguments):
 
 
 @pytest.mark.parametrize("step", [step for step in STEPS if step not in WITH_SCENE])
-@pytest.mark.parametrize("arguments", ["--scene none", "--voxels 64", "--up z"])
+@pytest.mark.parametrize("arguments", ["--scene none", "--voxels 64", "--up z", "--follow"])
 def test_an_option_a_step_cannot_honour_is_an_error(programs, step, arguments):
     result = programs.run(step, *arguments.split(), environment={"DISPLAY": None})
     assert fails_with_one_line(result, BAD_USAGE, arguments.split()[0])

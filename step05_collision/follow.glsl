@@ -1,0 +1,12 @@
+// With --follow the clouds stay above the camera, and what leaves the air under them on one side enters on the
+// other: see wrapped in common/snow.glsl. Whoever includes this has defined open_sky(position): does nothing
+// stand there, or above?
+
+// Takes the flake to the other side if it has left. Returns false if no snow can be falling there, under a roof
+// or in a wall: then it is to be born again.
+bool goes_on(inout Particle p, uint index)
+{
+    vec3 before = p.position;
+    p = wrapped(p, index, weather);
+    return p.position == before || open_sky(p.position);
+}

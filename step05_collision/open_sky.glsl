@@ -1,0 +1,10 @@
+// Does nothing solid stand at this point, or anywhere above it? Only flakes that change sides ask (follow.glsl):
+// they may walk.
+
+bool open_sky(vec3 position)
+{
+    for (ivec3 cell = cell_of(position); cell.y < resolution; ++cell.y) {
+        if (solid(cell)) return false;
+    }
+    return true;
+}

@@ -1,0 +1,91 @@
+"""--follow (steps 5, 6): it snows around the camera, wherever that is, but under no roof."""
+
+import numpy
+import pytest
+
+import scenes
+from conftest import SMALL, VARIANTS, WITH_SCENE
+from reports import Cover, check_sums, cover_sums, ledger
+
+SNOWING = [(step, variant) for step in WITH_SCENE for variant in VARIANTS[step]]
+HALF = 8  # m, half the width of a cloud
+
+# Covers the half of the ground that is towards -x. (The floor is that of the other scenes: 16 m wide.)
+ROOF = scenes.text(scenes.FLOOR, scenes.box((-8, 3, -8), (0, 3.2, 8)))
+
+
+@pytest.fixture
+def follow(programs, tmp_path):
+    """Runs a step with --follow: its ledger and its flakes."""
+    def follow(step, variant, scene, *arguments):
+        path = tmp_path / "scene.obj"
+        path.write_text(scene)
+        shared = ["--variant", variant, "--scene", path, "--voxels", 64, "--particles", 3000, "--follow",
+                  *arguments]
+        entries = ledger(programs.run_well(step, *SMALL, *shared).stdout)
+        assert entries["released"] == sum(entries.values()) - entries["released"]
+        return entries, programs.flakes(step, *shared)
+    return follow
+
+
+def eye(azimuth, elevation, distance):
+    """Where --camera puts it, m: x and z."""
+    azimuth, elevation = numpy.radians([azimuth, elevation])
+    return distance * numpy.cos(elevation) * numpy.array([numpy.sin(azimuth), numpy.cos(azimuth)])
+
+
+@pytest.mark.parametrize("step, variant", SNOWING)
+@pytest.mark.parametrize("wind", [0, 25])
+def test_flakes_surround_a_camera_far_off(follow, step, variant, wind):
+    """On all four sides alike, though the wind would long have blown them away: their standard deviation is
+    that of an even spread, 2 HALF / sqrt(12), within 5 %, and their mean within three of its errors."""
+    entries, flakes = follow(step, variant, scenes.TABLE, "--camera", "41,15,80", "--timelapse", 300,
+                             "--frames", 4, "--set", f"wind_x={wind}")
+    from_eye = flakes.position[flakes.airborne][:, [0, 2]] - eye(41, 15, 80)
+    assert len(from_eye) > 1000
+    assert (abs(from_eye) <= HALF + 0.001).all()
+    even = 2 * HALF / numpy.sqrt(12)
+    assert (abs(from_eye.mean(axis=0)) < 3 * even / numpy.sqrt(len(from_eye))).all()
+    assert (abs(from_eye.std(axis=0) - even) < 0.05 * even).all()
+    # A flake that changes sides is the same flake: it has not left, it is not released again. One in ten
+    # sublimates on its way. (In step 6 what comes down where the grid does not reach has left, too.)
+    assert step == "step06_accumulation" or entries["left"] < 0.2 * entries["released"]
+
+
+@pytest.mark.parametrize("step, variant", SNOWING)
+def test_none_enters_under_a_roof(follow, step, variant):
+    """Wind blows all that falls beside the roof out at x = 8, and it may not come in again at x = -8, where
+    the roof hangs above the floor. Not next to the roof's edges: flutter carries a flake in there."""
+    _, flakes = follow(step, variant, ROOF, "--camera", "0,85,0.5", "--timelapse", 300, "--frames", 4,
+                       "--set", "wind_x=3")
+    x, y, z = flakes.position[flakes.age >= 0].T
+    under = (y < 3) & (abs(z) < HALF - 1)
+    assert (under & (x > 0.5)).sum() > 100
+    assert (under & (x < -0.5)).sum() == 0
+    assert ((y > 3) & (x < -0.5)).sum() > 100  # above it they may
+
+
+@pytest.mark.parametrize("step, variant", SNOWING)
+def test_flakes_keep_up_with_a_flight(follow, step, variant):
+    """Three of its seconds, in which the camera covers some metres. What lies stays where it fell."""
+    _, flakes = follow(step, variant, scenes.TABLE, "--tour", "--frames", 180, "--timelapse", 8)
+    airborne = flakes.position[flakes.airborne][:, [0, 2]]
+    assert (numpy.ptp(airborne, axis=0) > 0.9 * 2 * HALF).all()
+    assert (numpy.ptp(airborne, axis=0) <= 2 * HALF + 0.001).all()
+    lying = flakes.position[flakes.rest > 0][:, [0, 2]]
+    assert len(lying) > 100
+    outside = (lying < airborne.min(axis=0)) | (lying > airborne.max(axis=0))
+    assert outside.any()
+
+
+@pytest.mark.parametrize("variant", VARIANTS["step06_accumulation"])
+def test_snow_lies_where_it_fell(programs, tmp_path, variant):
+    """Not where the scene's middle is. Snow spreads over two cells, and slides over a few more."""
+    result = programs.run_well(
+        "step06_accumulation", *SMALL, "--variant", variant, "--scene", "none", "--voxels", 64, "--follow",
+        "--camera", "0,10,8", "--particles", 3000, "--timelapse", 500, "--frames", 6,
+        "--dump-cover", tmp_path / "cover.csv")
+    cover = Cover(tmp_path / "cover.csv")
+    check_sums(ledger(result.stdout), cover, cover_sums(result.stdout))
+    assert len(cover.place) > 500
+    assert (cover.place[:, 2] > eye(0, 10, 8)[1] - HALF - 6 * cover.cell).all()
