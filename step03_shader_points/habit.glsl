@@ -5,8 +5,9 @@
 const uint plates = 0u, needles = 1u, columns = 2u, sectored_plates = 3u, stars = 4u, dendrites = 5u,
            irregular = 6u, aggregates = 7u;
 
-// The habit in which crystals grow in air of that temperature, degrees Celsius: the bounds of Nakaya's diagram (Snow
-// Crystals, 1954), as weather services print them. Magono and Lee (1966, figure 2) found the same order in snow that fell.
+// The habit in which crystals grow in air of that temperature, degrees Celsius: the bounds of
+// Nakaya's diagram (Snow Crystals, 1954), as weather services print them. Magono and Lee (1966,
+// figure 2) found the same order in snow that fell.
 uint habit(float temperature)
 {
     if (temperature > -4.0) return plates;
@@ -19,8 +20,8 @@ uint habit(float temperature)
     return irregular;  // side planes and other rarities
 }
 
-// The tile of a flake in the atlas, 4 x 8 tiles. Flakes of one habit differ; some have fewer branches, and some are broken.
-// What is heavy has become so by sticking together.
+// The tile of a flake in the atlas, 4 x 8 tiles. Flakes of one habit differ; some have fewer
+// branches, and some are broken. What is heavy has become so by sticking together.
 vec2 crystal_tile(uint index)
 {
     uint bits = hash(index);
@@ -28,8 +29,9 @@ vec2 crystal_tile(uint index)
     if (row == dendrites && (bits & 12u) == 0u) row = stars;
     if ((bits & 112u) == 0u) row = irregular;
     float size = diameter(index, weather) / weather.emitters[1].diameter;
-    if (size * size * size > 1.25) row = aggregates;  // by mass: a quarter more than a mean flake of the heavier kind
-    return vec2(bits & 3u, 7u - row);                 // the texture's first row is the lowest
+    // By mass: a quarter more than a mean flake of the heavier kind.
+    if (size * size * size > 1.25) row = aggregates;
+    return vec2(bits & 3u, 7u - row);  // the texture's first row is the lowest
 }
 
 // Its opacity at a place from (-1, -1) to (1, 1) across the flake.

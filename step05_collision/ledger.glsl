@@ -14,7 +14,8 @@ layout(binding = LEDGER_BUFFER, offset = 28) uniform atomic_uint left_world_carr
 
 void count(atomic_uint low, atomic_uint carry)
 {
-    if (atomicCounterIncrement(low) == 0xffffffffu) atomicCounterIncrement(carry);  // it returns the value before
+    // It returns the value before.
+    if (atomicCounterIncrement(low) == 0xffffffffu) atomicCounterIncrement(carry);
 }
 
 void count_release() { count(released, released_carry); }

@@ -16,10 +16,11 @@ SNOW_INLINE vec3 inside_cell(vec3 position, ivec3 cell)
     return inside;
 }
 
-// Follows flake p, which has just moved from `from` in a straight line, cell by cell (Amanatides and
-// Woo, "A Fast Voxel Traversal Algorithm", 1987), so that no speed lets it pass through anything.
-// A solid cell entered from above: it lands (or bounces) in the empty cell it came from. Entered from another side:
-// it loses that component of its velocity and slides on with the rest of its way.
+// Follows flake p, which has just moved from `from` in a straight line, cell by cell (Amanatides
+// and Woo, "A Fast Voxel Traversal Algorithm", 1987), so that no speed lets it pass through
+// anything. A solid cell entered from above: it lands (or bounces) in the empty cell it came from.
+// Entered from another side: it loses that component of its velocity and slides on with the rest of
+// its way.
 SNOW_INLINE Particle collide(vec3 from, Particle p, SNOW_IN(Weather) weather)
 {
     const float finished = 2.0f;  // for an axis without a face to cross: more than any fraction

@@ -19,7 +19,7 @@ def blocks(folder, *languages):
 def prose(folder):
     """Without blocks and tables."""
     text = re.sub(r"^```.*?^```", "", chapter(folder), flags=re.DOTALL | re.MULTILINE)
-    return re.sub(r"^(?:\|.*| {4}\S.*)$", "", text, flags=re.MULTILINE)
+    return re.sub(r"^(?:\|.*| {4,}\S.*)$", "", text, flags=re.MULTILINE)
 
 
 def section(folder, heading):

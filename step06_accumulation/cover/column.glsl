@@ -1,6 +1,7 @@
-// The columns of the grid are looked after in turns: in each time step one of every 8 x 8, so that the cost of a frame is
-// bounded and every column has its turn once in a round of 64. No two neighbours have theirs at once: what a column
-// reads of its neighbours, and what it gives to them, nobody else touches meanwhile.
+// The columns of the grid are looked after in turns: in each time step one of every 8 x 8, so that
+// the cost of a frame is bounded and every column has its turn once in a round of 64. No two
+// neighbours have theirs at once: what a column reads of its neighbours, and what it gives to them,
+// nobody else touches meanwhile.
 
 #include "step06_accumulation/cover/snow_cover.glsl"
 

@@ -11,8 +11,9 @@ const ivec3 up = ivec3(0, 1, 0);
 const ivec3 neighbours[8] = ivec3[](ivec3(0, 0, 1), ivec3(1, 0, 0), ivec3(0, 0, -1), ivec3(-1, 0, 0),
                                     ivec3(-1, 0, -1), ivec3(1, 0, -1), ivec3(-1, 0, 1), ivec3(1, 0, 1));
 
-// Moves so much from this column, from the surface `cell` downwards, to `target`, or as much as is there and as
-// `target` has room for. Nobody else takes from this column: what was there is there still, once it has been added.
+// Moves so much from this column, from the surface `cell` downwards, to `target`, or as much as is
+// there and as `target` has room for. Nobody else takes from this column: what was there is there
+// still, once it has been added.
 void transfer(ivec3 cell, ivec3 target, uint amount)
 {
     for (; amount > 0u && mass_in(cell) > 0u; cell -= up) {

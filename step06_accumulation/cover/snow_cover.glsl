@@ -29,7 +29,8 @@ uint mass_in(ivec3 cell)
     return in_grid(cell) ? mass[mass_index(cell)] : 0u;
 }
 
-// What snow can lie on but does not make: the scene, and beside it the ground, which is the lowest layer of cells.
+// What snow can lie on but does not make: the scene, and beside it the ground, which is the lowest
+// layer of cells.
 bool in_base(ivec3 cell)
 {
     return in_scene(cell) || (in_grid(cell) && cell.y == 0);
@@ -41,9 +42,10 @@ bool solid(ivec3 cell)
     return in_base(cell) || mass_in(cell) >= full_cell;
 }
 
-// Adds to a cell as much as it has room for, and what is over to the cells above, up to a ceiling or to the top of
-// the grid. Returns what found no room. No cell ever holds more than it can, not even for a moment: atomicAdd
-// would add first and tell afterwards, atomicCompSwap adds only if nobody else has changed the cell in between.
+// Adds to a cell as much as it has room for, and what is over to the cells above, up to a ceiling
+// or to the top of the grid. Returns what found no room. No cell ever holds more than it can, not
+// even for a moment: atomicAdd would add first and tell afterwards, atomicCompSwap adds only if
+// nobody else has changed the cell in between.
 uint add_snow(ivec3 cell, uint amount)
 {
     const int most_attempts = 512;  // what is not placed by then finds no room, either

@@ -1,5 +1,5 @@
-// One time step of one flake, as in step 5, but what has lain for its time becomes part of the snow cover. Whoever includes
-// this has defined air_at(position): the velocity of the air there, m/s.
+// One time step of one flake, as in step 5, but what has lain for its time becomes part of the snow
+// cover. Whoever includes this has defined air_at(position): the velocity of the air there, m/s.
 
 #include "step04_transform_feedback/flake_state.glsl"
 #include "step05_collision/ledger.glsl"
@@ -10,8 +10,8 @@
 
 uniform float flake_mass;  // units for each cubic metre of the cube around a flake
 
-// What a flake weighs, in units: the more the larger it is. Rounded up as often as it takes: of ten million flakes
-// one may weigh less than a unit, and their sum has to be right.
+// What a flake weighs, in units: the more the larger it is. Rounded up as often as it takes: of ten
+// million flakes one may weigh less than a unit, and their sum has to be right.
 uint mass_of(uint index)
 {
     float d = diameter(index, weather), part = random_unit(index, tick, 4u, weather);
@@ -28,9 +28,10 @@ ivec3 resting_cell(ivec3 cell)
     return solid(cell) || !solid(cell - up) ? ivec3(-1) : cell;
 }
 
-// Adds a flake's mass to the grid, spread like a bell over the 5 x 5 columns around (binomial weights): whole
-// flakes in single columns would make a chequerboard. What finds no room, below a ceiling or at the top of the grid,
-// does not count as deposited. Returns false if that is all of it, or if there is nothing here to lie on.
+// Adds a flake's mass to the grid, spread like a bell over the 5 x 5 columns around (binomial
+// weights): whole flakes in single columns would make a chequerboard. What finds no room, below a
+// ceiling or at the top of the grid, does not count as deposited. Returns false if that is all of
+// it, or if there is nothing here to lie on.
 bool deposit(vec3 position, uint flake)
 {
     const uint weight[5] = uint[](1u, 4u, 6u, 4u, 1u);  // of 16, in x and in z
@@ -68,7 +69,8 @@ void main()
             if (has_melted && amount > 0u && deposit(p.position, amount)) {
                 count_deposit();
             } else {
-                count_end(has_melted && amount == 0u);  // rain drains away; snow where no cell takes it has left
+                // Rain drains away; snow where no cell takes it has left.
+                count_end(has_melted && amount == 0u);
             }
         }
         p = born(index, tick, weather);

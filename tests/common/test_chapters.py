@@ -67,6 +67,14 @@ def test_every_stage_ends_in_a_checkpoint(folder):
 
 # ---- Listings.
 
+@pytest.mark.parametrize("folder", [*CHAPTERS, "."])
+def test_listings_fit_the_page(folder):
+    """GitHub shows 112 characters in a row; what is longer must be pulled to the side to be read."""
+    commands = re.findall(r"^ {4}(\S.*)", chapter(folder), re.MULTILINE)
+    for line in [*"".join(blocks(folder, "cpp", "glsl", "text", "sh")).splitlines(), *commands]:
+        assert len(line) <= 112, line
+
+
 @pytest.mark.parametrize("folder", CHAPTERS)
 def test_quoted_code_is_in_the_sources(folder):
     """In one file of the step, of an earlier one, or of what they share."""
