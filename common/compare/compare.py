@@ -363,7 +363,7 @@ def report(experiment, lines, results, notes, settings, chart):
              "greatest median of a repeat; smaller differences mean nothing."]
     if experiment.baseline:
         text[-1] += (f" *Ratio*: the frame time divided by that of \"{experiment.baseline}\" with "
-                     "as many flakes; less than 1 is faster. *Difference*: that much longer.")
+                     "as many flakes; less than 1 is faster. *Change*: that much longer.")
     if any("finish" in result.stages for result in results):
         text[-1] += (" Stages were timed between calls of glFinish in frames of their own, which "
                      "lets nothing overlap: they show where the time goes, and may add up to more "
@@ -392,7 +392,7 @@ def merged_report(experiment, lines, computers, chart):
 def table(experiment, lines, repeats):
     """The lines of the table, a row for each point."""
     base = lines.get(experiment.baseline, {})
-    against = ["ratio", "difference, ms"] if experiment.baseline else []
+    against = ["ratio", "change, ms"] if experiment.baseline else []
     words = ["step", "variant"] + ["line"] * bool(experiment.source)
     fps = ["fps"] if experiment.measured == "frame time" else []
     numbers = [experiment.x_label, "median, ms", "p95, ms", *fps, "repeats", *against]
