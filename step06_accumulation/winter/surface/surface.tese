@@ -3,7 +3,7 @@
 
 #include "step06_accumulation/winter/surface/surface.glsl"
 
-layout(triangles, fractional_even_spacing, ccw) in;
+layout(triangles, fractional_odd_spacing, ccw) in;  // even spacing knows no level 1
 
 in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } control[];
 

@@ -77,7 +77,7 @@ def test_exercise_4_the_triangles_are_seen(edited, draw):
     # Where nothing is drawn the frame has the colour that is seen in the middle of its upper edge, before it snows.
     ground = numpy.s_[250:360, 170:330]
     lines = [(abs(picture - before[0, 320]).max(axis=2) > 8)[ground].mean() for picture in (before, after)]
-    assert lines[1] > 1.2 * lines[0] > 0.2
+    assert lines[1] > 1.2 * lines[0] > 0.1
 
 
 def test_exercise_5_shadows_of_clouds(edited, draw):
