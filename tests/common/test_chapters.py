@@ -2,6 +2,7 @@
 
 import difflib
 import re
+import subprocess
 import urllib.parse
 import xml.etree.ElementTree as xml
 
@@ -110,10 +111,7 @@ def copied(step):
 
 @pytest.mark.parametrize("step", STEPS)
 def test_all_that_is_new_is_listed(step):
-    """Each line that main.cpp has and the step before has not, and the files that it uses.
-
-    The winter's chapter is a tour, which lists only the heart of each part.
-    """
+    """Each line that main.cpp has and the step before has not, and the files that it uses."""
     new = {name: lines_of_code((ROOT / step / name).read_text(encoding="utf-8")) for name in used_by(step)}
     if step != STEPS[0]:
         before = ROOT / STEPS[STEPS.index(step) - 1] / "main.cpp"
@@ -122,6 +120,21 @@ def test_all_that_is_new_is_listed(step):
     for name in copied(step):
         del new[name]
     listed = {line for block in blocks(step, "cpp", "glsl") for line in lines_of_code(block)}
+    missing = [f"{name}: {line}" for name, lines in new.items() for line in lines if line not in listed]
+    assert not missing, "\n".join(missing)
+
+
+def test_what_the_winter_adds_is_listed():
+    """What winter.cpp has and main.cpp has not, and the shaders that the stages take out, to be written again."""
+    folder = "step06_accumulation/winter"
+    command = " ".join(re.findall(r"^    rm (.*)", section(folder, "Build it"), re.MULTILINE))
+    names = subprocess.run(["bash", "-c", f"ls {command}"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    new = {name: lines_of_code((ROOT / name).read_text(encoding="utf-8")) for name in names.split()}
+    main, winter = (lines_of_code((ROOT / "step06_accumulation" / name).read_text(encoding="utf-8"))
+                    for name in ("main.cpp", "winter.cpp"))
+    new["winter.cpp"] = [line[2:] for line in difflib.ndiff(main, winter) if line[0] == "+"
+                         and not line.startswith("+ #include")]
+    listed = {line for block in blocks(folder, "cpp", "glsl") for line in lines_of_code(block)}
     missing = [f"{name}: {line}" for name, lines in new.items() for line in lines if line not in listed]
     assert not missing, "\n".join(missing)
 

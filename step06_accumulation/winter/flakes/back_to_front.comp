@@ -1,7 +1,7 @@
 #version 430 core
-// One pass of a bitonic sort (Batcher, "Sorting networks and their applications", 1968): each invocation compares two
-// places, `apart` from each other, and puts the farther flake first, or second, so that in the end runs of `run` places
-// fall and rise in turn, and with the last pass all fall.
+// One pass of a bitonic sort (Batcher, "Sorting networks and their applications", 1968): each invocation
+// compares two places, `apart` from each other, and puts the farther flake first, or second, so that in the end
+// runs of `run` places fall and rise in turn, and with the last pass all fall.
 
 #include "common/bindings.glsl"
 

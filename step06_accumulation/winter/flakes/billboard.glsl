@@ -31,8 +31,8 @@ vec2 pixel_of(vec4 clip_place)
     return 0.5 * vec2(camera.window_size) * clip_place.xy / clip_place.w;
 }
 
-// Width of the spot, in pixels, that a camera which looks into the distance makes of a point so many m away: a lens
-// `aperture` wide, seen at infinity, has moved by that much on what is in focus.
+// Width of the spot, in pixels, that a camera which looks into the distance makes of a point so many m away: a
+// lens `aperture` wide, seen at infinity, has moved by that much on what is in focus.
 float out_of_focus(float away)
 {
     const float aperture = 0.012, in_focus = 5.0;  // m

@@ -27,7 +27,8 @@ void main()
         shade = 0.85 + 0.15 * place.y;  // it is darker below
     } else if (squared < 1.0) {
         // Of a crystal that is a few pixels wide, or out of focus, nothing is left but a soft spot.
-        opacity = mix(1.0 - squared * squared, picture, smoothstep(5.0, 15.0, width) * smoothstep(0.4, 0.9, sharp));
+        float seen = smoothstep(5.0, 15.0, width) * smoothstep(0.4, 0.9, sharp);
+        opacity = mix(1.0 - squared * squared, picture, seen);
     }
     colour = vec4(shade * look.rgb, clamp(look.a * opacity, 0.0, 1.0));
 }

@@ -5,12 +5,12 @@
 
 layout(max_vertices = 4) out;
 
-// What is left of a flake that has been in the air so long, s: in warm air it begins to melt on its way. Hailstones are
-// too large for that.
+// What is left of a flake that has been in the air so long, s: in warm air it begins to melt on its way.
+// Hailstones are too large for that.
 float frozen(float seconds)
 {
-    // Of a flake in air of one degree, each second. Snow is rain some 300 m below the height where it is 0 degrees; but the
-    // way from our clouds is 12 m.
+    // Of a flake in air of one degree, each second. Snow is rain some 300 m below the height where it is 0
+    // degrees; but the way from our clouds is 12 m.
     const float rate = 0.02;
     if (weather.kind == hail_kind) return 1.0;
     return 1.0 - clamp(rate * weather.temperature * seconds, 0.0, 1.0);

@@ -22,8 +22,8 @@ out Flake
 }
 flake;
 
-// What is seen of a white flake, which has no side: light from everywhere. It may lie on a surface. The nearest cell of
-// sky_seen will do.
+// What is seen of a white flake, which has no side: light from everywhere. It may lie on a surface. The nearest
+// cell of sky_seen will do.
 vec3 light_on_flake(vec3 position)
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);

@@ -20,13 +20,14 @@ vec3 air_light(vec3 direction)
     return light.horizon + sunset * sunset * light.twilight + sunlit * glow(direction) * light.sun;
 }
 
-// What arrives at the eye of the radiance L that leaves this point is rgb + a * L: the air adds its own light, and takes
-// some of the other.
+// What arrives at the eye of the radiance L that leaves this point is rgb + a * L: the air adds its own light,
+// and takes some of the other.
 vec4 air_before(vec3 position)
 {
     vec3 way = position - camera.eye;
     float away = length(way);
-    if (light.extinction == 0.0 || away < 0.001) return vec4(0.0, 0.0, 0.0, 1.0);  // no way has no direction, either
+    // No way has no direction, either.
+    if (light.extinction == 0.0 || away < 0.001) return vec4(0.0, 0.0, 0.0, 1.0);
     float clear = exp(-light.extinction * away);
     return vec4((1.0 - clear) * air_light(way / away), clear);
 }

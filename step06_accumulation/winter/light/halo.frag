@@ -13,7 +13,8 @@ vec3 surface_at(vec2 place)  // clip space
     float depth = 2.0 * texelFetch(frame_depth, ivec2(gl_FragCoord.xy), 0).r - 1.0;
     // projection[2][2] and [3][2] make of the distance along the view, w, the depth (-[2][2] w + [3][2]) / w.
     float away = camera.projection[3][2] / (depth + camera.projection[2][2]);
-    vec3 sight = away * vec3(place / vec2(camera.projection[0][0], camera.projection[1][1]), -1.0);  // eye space
+    // In eye space.
+    vec3 sight = away * vec3(place / vec2(camera.projection[0][0], camera.projection[1][1]), -1.0);
     return camera.eye + transpose(mat3(camera.view)) * sight;
 }
 

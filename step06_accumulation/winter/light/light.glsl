@@ -1,5 +1,5 @@
-// The light of a winter's day, and what it makes of surfaces and flakes. `struct Light` is GLSL and C++, like CameraView.
-// All colours are linear. Light is measured by what it makes of a white surface that faces it: 1 is
+// The light of a winter's day, and what it makes of surfaces and flakes. `struct Light` is GLSL and C++, like
+// CameraView. All colours are linear. Light is measured by what it makes of a white surface that faces it: 1 is
 // white paper in a bright room, snow in the sun is brighter.
 
 struct Light {
@@ -36,8 +36,9 @@ layout(std140, binding = LIGHT_BLOCK) uniform LightBlock
 uniform sampler2DShadow shadow_map;
 uniform sampler3D sky_seen;  // see ambient_occlusion.cpp
 
-// How much of the sun reaches this point: 0 in shadow, 1 in the sun. The lookup compares with texels around and blends the
-// results (percentage closer filtering: Reeves, Salesin and Cook, "Rendering antialiased shadows with depth maps", 1987).
+// How much of the sun reaches this point: 0 in shadow, 1 in the sun. The lookup compares with texels around and
+// blends the results (percentage closer filtering: Reeves, Salesin and Cook, "Rendering antialiased shadows
+// with depth maps", 1987).
 float sunlight_at(vec3 position)
 {
     if (light.has_shadow == 0.0) return 1.0;
@@ -76,8 +77,8 @@ vec3 lamp_light(vec3 normal, vec3 position)
     return light.lamp * max(dot(normal, to_lamp), 0.0) * nearness * nearness * nearness;
 }
 
-// Light of sun and lamp on a surface. sunlight: the part of the sun's light that gets here. around: how far light gets
-// within, so that the sun reaches a little beyond where it grazes.
+// Light of sun and lamp on a surface. sunlight: the part of the sun's light that gets here. around: how far
+// light gets within, so that the sun reaches a little beyond where it grazes.
 vec3 direct_light(vec3 normal, vec3 position, float sunlight, float around)
 {
     float facing = max((dot(normal, light.to_sun) + around) / (1.0 + around), 0.0);

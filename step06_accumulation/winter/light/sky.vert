@@ -1,5 +1,6 @@
 #version 430 core
-// A corner of the squares into which the sky is cut: it changes so slowly that between them it need not be computed.
+// A corner of the squares into which the sky is cut: it changes so slowly that between them it need not be
+// computed.
 
 #include "step06_accumulation/winter/light/sky.glsl"
 
@@ -16,7 +17,8 @@ void main()
     corner = corner < 3 ? corner : corner == 3 ? 2 : corner == 4 ? 1 : 3;
     ivec2 place = ivec2(square % squares.x, square / squares.x) + ivec2(corner & 1, corner >> 1);
     gl_Position = vec4(2.0 * vec2(place) / vec2(squares) - 1.0, 1.0, 1.0);
-    vec3 ahead = vec3(gl_Position.xy / vec2(camera.projection[0][0], camera.projection[1][1]), -1.0);  // eye space
+    // In eye space.
+    vec3 ahead = vec3(gl_Position.xy / vec2(camera.projection[0][0], camera.projection[1][1]), -1.0);
     sight = transpose(mat3(camera.view)) * ahead;
     vec3 direction = normalize(sight);
     radiance = sky_in(direction);

@@ -3,9 +3,10 @@
 uniform sampler2D frame;  // as LinearFrame holds it
 uniform float exposure;
 
-// It never gets to 1, so however bright, snow keeps its shades. The curve is that by which an eye answers to light (Naka
-// and Rushton 1966; for pictures: Reinhard and Devlin, "Dynamic range reduction inspired by photoreceptor physiology",
-// 2005), with an exponent that takes two square roots, as a power would cost more than all the rest.
+// It never gets to 1, so however bright, snow keeps its shades. The curve is that by which an eye answers to
+// light (Naka and Rushton 1966; for pictures: Reinhard and Devlin, "Dynamic range reduction inspired by
+// photoreceptor physiology", 2005), with an exponent that takes two square roots, as a power would cost more
+// than all the rest.
 vec3 answer_to(vec3 radiance)
 {
     const float half_way = 0.65;  // radiance of what is to be half as bright as the screen can be
@@ -14,8 +15,8 @@ vec3 answer_to(vec3 radiance)
     return answer / (1.0 + answer);
 }
 
-// The numbers by which a screen is told to shine so brightly (sRGB, IEC 61966-2-1): a fit by square roots, exact to
-// 1/2000 but for what is all but black.
+// The numbers by which a screen is told to shine so brightly (sRGB, IEC 61966-2-1): a fit by square roots,
+// exact to 1/2000 but for what is all but black.
 vec3 for_screen(vec3 linear)
 {
     vec3 s1 = sqrt(linear), s2 = sqrt(s1), s3 = sqrt(s2);

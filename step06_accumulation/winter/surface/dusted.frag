@@ -10,8 +10,8 @@ uniform float grain_size;  // m, after which it repeats
 
 out vec4 colour;
 
-// How much of the wall is hidden, 0 to 1: the more it snows on it, which the wind does where it meets the wall and where
-// nothing is before that, which is where the sky is seen.
+// How much of the wall is hidden, 0 to 1: the more it snows on it, which the wind does where it meets the wall
+// and where nothing is before that, which is where the sky is seen.
 float dust(vec3 normal)
 {
     const float strong = 4.0;     // m/s

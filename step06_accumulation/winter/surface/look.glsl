@@ -47,7 +47,7 @@ Look look_at_surface()
     look.cover = cover;
     look.normal = normalize(mix(normal, normalize(snow_normal), cover));
     look.colour = mix(surface, snow_colour, cover);
-    look.sunlight = sunlight_at(world_position + 0.03 * normal);  // beside it, so that nothing lies in its own shadow
+    look.sunlight = sunlight_at(world_position + 0.03 * normal);  // beside it, out of its own shadow
     return look;
 }
 

@@ -1,6 +1,7 @@
 #version 430 core
-// Notes how the snow looks from above, in a 3D texture which the card filters: for every cell at a surface of the scene
-// how much of that is hidden, and how steep the snow lies there. What is nine lookups here is one in look.glsl.
+// Notes how the snow looks from above, in a 3D texture which the card filters: for every cell at a surface of
+// the scene how much of that is hidden, and how steep the snow lies there. What is nine lookups here is one in
+// look.glsl.
 
 #include "step06_accumulation/cover/column.glsl"
 #include "step06_accumulation/winter/surface/snow_texture.glsl"
@@ -8,8 +9,8 @@
 layout(r16f, binding = DEPTH_IMAGE) uniform readonly image3D snow_depth;  // m; less than 0: unknown
 layout(rgba8, binding = SNOW_IMAGE) uniform writeonly image3D snow;
 
-// Mean of nine columns `apart` cells from each other, so that no lump shows that a single flake has left, and the slope
-// between them.
+// Mean of nine columns `apart` cells from each other, so that no lump shows that a single flake has left, and
+// the slope between them.
 const int apart = 2;
 const float weight[3] = float[](0.25, 0.5, 0.25);
 const float slope[3] = float[](-0.5, 0.0, 0.5);

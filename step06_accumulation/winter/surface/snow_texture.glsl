@@ -1,5 +1,5 @@
-// How a texel of 8 bits a channel tells what the snow looks like: red, how deep; green and blue, how it rises along x and
-// z; alpha, that this is known. Where it is not, all is 0, and filtering weighs the others.
+// How a texel of 8 bits a channel tells what the snow looks like: red, how deep; green and blue, how it rises
+// along x and z; alpha, that this is known. Where it is not, all is 0, and filtering weighs the others.
 
 const float deep = 0.02;      // m: what is deeper looks no different
 const float steepest = 1.5;   // rise, m for each m

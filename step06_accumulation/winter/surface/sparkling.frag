@@ -12,8 +12,8 @@ float random_of(ivec2 square)
     return float(hash(uint(square.x) ^ hash(uint(square.y))) >> 8u) * (1.0 / 16777216.0);
 }
 
-// Light that they mirror into the eye. There is one in each square, as large as some pixels and turned at random; few are
-// turned so that they flash.
+// Light that they mirror into the eye. There is one in each square, as large as some pixels and turned at
+// random; few are turned so that they flash.
 vec3 glint(Look look)
 {
     vec3 to_eye = camera.eye - world_position;

@@ -25,7 +25,8 @@ void put_on_snow(vec3 position, vec3 normal, vec3 colour, vec2 uv, float lift, f
     beyond = smoothstep(0.0, margin, away);
     base_position = position;
     world_position = position;
-    // Snow cannot slide out of the grid, and would pile up at a wall on its edge: drawn is what would be left if it could.
+    // Snow cannot slide out of the grid, and would pile up at a wall on its edge: drawn is what would be left
+    // if it could.
     float most = camera.field_depth + tan(radians(weather.repose)) * max(-away, 0.0);
     float depth = min(mix(snow_at(position).x, camera.field_depth, beyond), most);
     const float filling = 0.3;  // m of snow that fill all hollows

@@ -38,15 +38,16 @@ float edge_level(int a, int b)
     return mix(1.0, max(finest, 1.0), smoothstep(0.3, 1.5, bend * pixels_per_metre));
 }
 
-// Does the camera see nothing of the triangle, nor of what snow may make of it? Then all its corners lie beyond one and
-// the same side of what it sees.
+// Does the camera see nothing of the triangle, nor of what snow may make of it? Then all its corners lie beyond
+// one and the same side of what it sees.
 bool out_of_sight()
 {
     float most = 1.0 + 2.0 * camera.field_depth;  // m, by which snow lifts it
     bvec4 beyond = bvec4(true);
     for (int i = 0; i < 3; ++i) {
         vec4 place = camera.projection * camera.view * vec4(corner[i].position, 1.0);
-        vec2 margin = most * (1.0 + vec2(camera.projection[0][0], camera.projection[1][1]));  // of x and y, and of w
+        // Of x and y, and of w.
+        vec2 margin = most * (1.0 + vec2(camera.projection[0][0], camera.projection[1][1]));
         beyond = bvec4(beyond.x && place.x < -place.w - margin.x, beyond.y && place.x > place.w + margin.x,
                        beyond.z && place.y < -place.w - margin.y, beyond.w && place.y > place.w + margin.y);
     }
