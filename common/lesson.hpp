@@ -49,6 +49,7 @@ struct Options {
     std::filesystem::path scene;  // where has_scene: the courtyard unless given
     std::filesystem::path collision;  // other triangles to land on; empty: those of the scene
     char up = 'y';                    // the axis that points up in the scene file
+    bool metres = false;              // they are in metres, and keep their size
     int voxels = 256;                 // along the longest axis of the scene
     std::string voxeliser = "cpu";    // where the grid is made, or "gpu"
     std::filesystem::path dump_cover;

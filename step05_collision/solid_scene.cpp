@@ -13,7 +13,8 @@ std::optional<Scene> load_collision(const Options& options, const Scene& drawn)
 {
     if (options.collision.empty()) return {};
     const bool drawn_is_empty = drawn.vertices.empty();
-    return load_scene(options.collision, options.up, drawn_is_empty ? nullptr : &drawn.placement);
+    return load_scene(options.collision, options.up, drawn_is_empty ? nullptr : &drawn.placement,
+                      options.metres);
 }
 
 VoxelGrid make_grid(const Options& options, const Scene& obstacle)
@@ -31,7 +32,8 @@ VoxelGrid make_grid(const Options& options, const Scene& obstacle)
 }  // namespace
 
 SolidScene::SolidScene(const Window& window)
-    : scene(load_scene(window.options().scene, window.options().up)),
+    : scene(load_scene(window.options().scene, window.options().up, nullptr,
+                       window.options().metres)),
       collision(load_collision(window.options(), scene)),
       grid(make_grid(window.options(), obstacle())), voxels(upload_voxels(grid)),
       drawn(with_ground(scene, grid)), mesh(drawn), pictures(drawn)

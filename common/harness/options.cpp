@@ -220,6 +220,8 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
             ->check(CLI::IsMember({"y", "z"}));
         app.add_flag("--follow", follow,
                      "keep the clouds above the camera: it snows wherever that goes (they stay)");
+        app.add_flag("--metres", command.metres,
+                     "those files are in metres: keep their size, up to 2 km (fit it to 16 m)");
         app.add_option("--voxels", command.voxels, "voxels along the scene's longest axis (256)");
         app.add_option("--voxeliser", command.voxeliser, "where their grid is made (cpu)")
             ->check(CLI::IsMember({"cpu", "gpu"}));

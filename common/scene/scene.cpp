@@ -25,8 +25,8 @@ dvec3 turn(dvec3 p, char up)
     return up == 'z' ? dvec3(p.x, p.z, -p.y) : p;
 }
 
-// How to move and scale the scene into its box.
-Placement fit(const std::filesystem::path& path, const Obj& obj, char up)
+// How to move the scene to the middle, and to scale it into its box unless it keeps its metres.
+Placement fit(const std::filesystem::path& path, const Obj& obj, char up, bool in_metres)
 {
     dvec3 least(INFINITY), most(-INFINITY);
     for (const Polygon& polygon : obj.polygons) {
@@ -43,8 +43,8 @@ Placement fit(const std::filesystem::path& path, const Obj& obj, char up)
         reason << "it is " << largest << " across, not within 1e-30 and 1e30";
         refuse_scene(path, reason.str());
     }
-    double factor = INFINITY;
-    for (int axis = 0; axis < 3; ++axis) {
+    double factor = in_metres ? 1 : INFINITY;
+    for (int axis = 0; axis < 3 && !in_metres; ++axis) {
         if (size[axis] > 0) factor = std::min(factor, room[axis] / size[axis]);
     }
     const dvec3 foot(0.5 * (least.x + most.x), least.y, 0.5 * (least.z + most.z));
@@ -54,17 +54,21 @@ Placement fit(const std::filesystem::path& path, const Obj& obj, char up)
 // Where its points lie in the world. Computed in double precision, as coordinates may be large and
 // differ little: those of maps count from the equator.
 std::vector<vec3> place(const std::filesystem::path& path, const Obj& obj, char up,
-                        const Placement& placement)
+                        const Placement& placement, bool in_metres)
 {
-    const double most = 100;  // m; beyond, voxels would be too large for what is drawn
+    // m; beyond, voxels would be too large for what is drawn, and the camera would not see so far.
+    const double most = in_metres ? 1000 : 100;
     std::vector<vec3> points;
     for (const dvec3& point : obj.points)
         points.emplace_back(placement.factor * (turn(point, up) - placement.foot));
     for (const Polygon& polygon : obj.polygons) {
         for (const Corner& corner : polygon.corners) {
             if (glm::length(points[corner.point]) <= most) continue;
-            refuse_scene(path, "it reaches farther than 100 m from the scene that it belongs to "
-                               "(give both the same coordinates)");
+            refuse_scene(path, in_metres
+                                   ? "it reaches farther than 1000 m from its middle or from the "
+                                     "scene that it belongs to (--metres scales nothing)"
+                                   : "it reaches farther than 100 m from the scene that it "
+                                     "belongs to (give both the same coordinates)");
         }
     }
     return points;
@@ -162,13 +166,13 @@ private:
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, char up, const Placement* other)
+Scene load_scene(const std::filesystem::path& path, char up, const Placement* other, bool in_metres)
 {
     if (path == "none") return {};
     Obj obj = read_obj(path);
     if (obj.polygons.empty()) refuse_scene(path, "it has no faces (is it a Wavefront OBJ file?)");
-    const Placement placement = other != nullptr ? *other : fit(path, obj, up);
-    const std::vector<vec3> points = place(path, obj, up, placement);
+    const Placement placement = other != nullptr ? *other : fit(path, obj, up, in_metres);
+    const std::vector<vec3> points = place(path, obj, up, placement, in_metres);
     obj.materials.warnings.print();
     orient(obj.polygons, points);
     for (vec3& normal : obj.normals) normal = turn(normal, up);

@@ -39,10 +39,12 @@ struct Scene {
 };
 
 // Reads `path` and scales the scene to fit a box 16 m wide and deep and 6 m high, below the clouds;
-// its floor comes to lie on y = 0 and its middle on the y axis. Says by what factor. `up` is the
-// axis, 'y' or 'z', that points up in the file. Polygons with more than three corners are divided;
-// sheets face up and bodies outwards, whichever way the file has them; what has no normals and is
-// in no smoothing group is flat, what has no colour is grey, and what gets lost is told on stderr.
-// The path "none" is the empty scene. With the placement of another scene it comes to lie where it
-// lies to that in the files. Throws std::runtime_error naming file and line.
-Scene load_scene(const std::filesystem::path& path, char up, const Placement* other = nullptr);
+// its floor comes to lie on y = 0 and its middle on the y axis. Says by what factor. in_metres: its
+// coordinates are metres, and it stays as large as it is. `up` is the axis, 'y' or 'z', that points
+// up in the file. Polygons with more than three corners are divided; sheets face up and bodies
+// outwards, whichever way the file has them; what has no normals and is in no smoothing group is
+// flat, what has no colour is grey, and what gets lost is told on stderr. The path "none" is the
+// empty scene. With the placement of another scene it comes to lie where it lies to that in the
+// files. Throws std::runtime_error naming file and line.
+Scene load_scene(const std::filesystem::path& path, char up, const Placement* other = nullptr,
+                 bool in_metres = false);

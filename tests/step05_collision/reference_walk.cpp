@@ -41,7 +41,8 @@ try {
                                                     .minimum_gl = 0,
                                                     .variants = {{"voxels", nullptr}},
                                                     .has_scene = true});
-    snow::grid = voxelise(load_scene(options.scene, options.up), options.voxels);
+    snow::grid =
+        voxelise(load_scene(options.scene, options.up, nullptr, options.metres), options.voxels);
     snow::grid_origin = snow::grid.origin;
     snow::cell_size = snow::grid.cell_size;
 

@@ -1,5 +1,6 @@
 """Snow lands on a scene (step 5): never inside it, never below it, where the CPU says it lands."""
 
+import re
 import subprocess
 
 import numpy
@@ -231,3 +232,33 @@ def test_scene_is_fitted_and_says_by_what_factor(programs, tmp_path):
     path.write_text("v 0 0 0\nv 320 0 0\nv 0 0 320\nv 0 100 0\nf 1 2 3\nf 1 2 4\n")
     result = programs.run_well(STEP, *small(STEP), "--frames", 1, "--scene", path)
     assert "2 triangles" in result.stdout and "0.05" in result.stdout
+
+
+@pytest.mark.parametrize("step, variant", [(STEP, "voxels"), (STEP, "triangles"),
+                                           ("step06_accumulation", "cells"),
+                                           ("step06_accumulation", "winter")])
+@pytest.mark.parametrize("size", [4, 400])
+def test_metres_are_kept(programs, tmp_path, step, variant, size):
+    """A floor smaller than the room for scenes, or larger, and in its middle a block 1.5 m high."""
+    path, half = tmp_path / "scene.obj", size / 2
+    floor = scenes.quad((-half, 0, -half), (-half, 0, half), (half, 0, half), (half, 0, -half))
+    path.write_text(scenes.text(floor, scenes.box((-1, 0, -1), (1, 1.5, 1))))
+    run = ["--scene", path, "--metres", "--variant", variant, "--voxels", 64, "--particles", 4000,
+           "--timelapse", 60, "--frames", 15, "--set", "turbulence=0"]
+    cell = size / 62
+    assert "scaled by 1;" in (said := programs.run_well(step, *SMALL, *run).stdout)
+    assert float(re.search(r"64\^3 of (\S+) m", said)[1]) == pytest.approx(cell, rel=1e-4)
+    flakes = programs.flakes(step, *run)
+    lying = flakes.position[flakes.rest > 0]
+    beside = abs(lying[:, [0, 2]]).max(axis=1) - 1  # m from the sides of the block
+    block, ground = lying[beside < 0], lying[beside > cell]
+    assert len(block) > 5 and len(ground) > 100
+    assert (block[:, 1] > 1.49).all() and (block[:, 1] < 1.51 + 2 * cell).all()  # snow makes cells solid
+    assert (ground[:, 1] < (0.01 if step == STEP else 1.01) * cell).all()
+
+
+@pytest.mark.parametrize("step", WITH_SCENE)
+def test_a_scene_too_large_for_metres_is_refused(programs, tmp_path, step):
+    path = tmp_path / "scene.obj"
+    path.write_text("v 0 0 0\nv 3000 0 0\nv 0 0 3000\nf 1 2 3\n")
+    assert fails_with_one_line(programs.run(step, *SMALL, "--scene", path, "--metres"), 1, path, "--metres")

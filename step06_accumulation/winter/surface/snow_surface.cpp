@@ -1,5 +1,6 @@
 #include "step06_accumulation/winter/surface/snow_surface.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -24,8 +25,8 @@ struct BytewiseLess {
 
 std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough)
 {
-    constexpr float longest = 1;          // m
-    constexpr float least_upward = 0.1f;  // normal.y, as in scene.frag of step 6
+    const float longest = std::max(1.0f, fine_enough);  // m
+    constexpr float least_upward = 0.1f;                // normal.y, as in scene.frag of step 6
     std::vector<SurfacePart> parts;
     const auto add = [&](const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
         const auto longer = [&](const SurfaceVertex& p, const SurfaceVertex& q) {

@@ -37,7 +37,7 @@ def test_bad_usage(programs, step, arguments):
     assert fails_with_one_line(result, BAD_USAGE, "--help")
 
 
-OPTIONS = ["--particles", "--variant", "--weather", "--set", "--scene", "--up", "--voxels",
+OPTIONS = ["--particles", "--variant", "--weather", "--set", "--scene", "--up", "--metres", "--voxels",
            "--follow", "--groups", "--point-size", "--hold-fps", "--seed", "--size", "--camera", "--tour",
            "--vsync", "--frames", "--warmup", "--timelapse", "--benchmark", "--csv", "--realtime",
            "--record", "--screenshot", "--dump", "--dump-cover", "--debug", "-x", "--", "-"]
@@ -70,7 +70,7 @@ def test_bad_usage_of_scene_options(programs, step, arguments):
 
 
 @pytest.mark.parametrize("step", [step for step in STEPS if step not in WITH_SCENE])
-@pytest.mark.parametrize("arguments", ["--scene none", "--voxels 64", "--up z", "--follow"])
+@pytest.mark.parametrize("arguments", ["--scene none", "--voxels 64", "--up z", "--metres", "--follow"])
 def test_an_option_a_step_cannot_honour_is_an_error(programs, step, arguments):
     result = programs.run(step, *arguments.split(), environment={"DISPLAY": None})
     assert fails_with_one_line(result, BAD_USAGE, arguments.split()[0])
