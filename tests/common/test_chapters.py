@@ -2,6 +2,7 @@
 
 import difflib
 import re
+import shutil
 import subprocess
 import urllib.parse
 import xml.etree.ElementTree as xml
@@ -137,6 +138,28 @@ def test_what_the_winter_adds_is_listed():
     listed = {line for block in blocks(folder, "cpp", "glsl") for line in lines_of_code(block)}
     missing = [f"{name}: {line}" for name, lines in new.items() for line in lines if line not in listed]
     assert not missing, "\n".join(missing)
+
+
+def test_the_winter_can_be_written_from_its_chapter(tmp_path):
+    """Each stage takes out its shaders; then each listing goes into the file named last before it, and all is as it was."""
+    folder = "step06_accumulation/winter"
+    shutil.copytree(ROOT / folder, tmp_path / folder)
+    files = {path: path.read_text(encoding="utf-8") for path in (tmp_path / folder).rglob("*") if path.suffix in SOURCES}
+    named = None
+    for stage in re.split(r"^### ", section(folder, "Build it"), flags=re.MULTILINE)[1:]:
+        for command in re.findall(r"^    ((?:rm|sed) .*)", stage, re.MULTILINE):
+            subprocess.run(["bash", "-c", command], cwd=tmp_path, check=True)
+        to_write = {path for path, text in files.items() if not path.exists() or path.read_text(encoding="utf-8") != text}
+        for text, language, listing in re.findall(r"(.*?)^```(\w+)\n(.*?)^```", stage, re.DOTALL | re.MULTILINE):
+            text = re.sub(r"^    .*", "", text, flags=re.MULTILINE)
+            named = next((path for name in reversed(re.findall(r"\w+\.\w+", text)) for path in to_write
+                          if path.name == name), named)
+            if language == "glsl" and named in to_write:
+                with named.open("a", encoding="utf-8") as file:
+                    file.write(listing)
+        for path in to_write:
+            assert path.exists(), path.name
+            assert words(path.read_text(encoding="utf-8")) == words(files[path]), path.name
 
 
 @pytest.mark.parametrize("step", [step for step in STEPS if step < "step06"])
