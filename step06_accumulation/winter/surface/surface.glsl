@@ -12,6 +12,7 @@ out vec3 base_normal;
 out vec3 base_colour;
 out vec2 picture_uv;
 out float is_skirt;
+out float evened;
 out float beyond;
 out vec4 air;
 
@@ -33,6 +34,7 @@ void put_on_snow(vec3 position, vec3 normal, vec3 colour, vec2 uv, float lift, f
     float filled = lift * smoothstep(0.0, filling, depth);
     world_position.y += lift * depth + filled * even.w;
     base_normal = skirt > 0.0 ? normal : mix(normal, even.xyz, filled);
+    evened = filled * smoothstep(0.0, 0.05, distance(normal, even.xyz));
     base_colour = colour;
     picture_uv = uv;
     is_skirt = skirt;
