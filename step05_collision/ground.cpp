@@ -22,7 +22,8 @@ bool has_floor(const VoxelGrid& grid, glm::ivec2 begin, glm::ivec2 end)
 int ground_square(const VoxelGrid& grid)
 {
     constexpr float finest = 0.5f;  // m
-    return std::max(1, int(finest / grid.cell_size));
+    constexpr int most = 64;        // along an edge of the grid, however large the scene
+    return std::max({1, int(finest / grid.cell_size), grid.resolution / most});
 }
 
 Scene with_ground(Scene scene, const VoxelGrid& grid)

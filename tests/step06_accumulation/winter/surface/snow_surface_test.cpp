@@ -62,6 +62,24 @@ TEST(Hollows, AreFilledUpToTheMeanPlane)
     EXPECT_GT(seen, 50);
 }
 
+// Squares of half a metre in the courtyard's room; in a valley as wide as 400 m there would be as
+// many as voxels.
+TEST(Ground, IsMadeOfAtMost64SquaresAlongAnEdge)
+{
+    for (const float width : {16.0f, 400.0f}) {
+        VoxelGrid grid{};
+        grid.resolution = 256;
+        grid.cell_size = width / 254;
+        grid.words.resize(256 * 256 * 256 / 32);
+        const int square = ground_square(grid);
+        EXPECT_EQ(square, width == 16 ? 7 : 4);
+        Scene scene;
+        scene.vertices.push_back({});  // not the empty scene, but one without a floor
+        const size_t along_edge = size_t((256 + square - 1) / square);
+        EXPECT_EQ(with_ground(scene, grid).indices.size(), 6 * along_edge * along_edge);
+    }
+}
+
 // Every corner of the ground along the edge of the grid is one of the field, too, and the other way
 // round: or there would be gaps between them once snow lifts both.
 TEST(Field, JoinsTheGroundCornerByCorner)
