@@ -49,7 +49,7 @@ def test_deep_snow_shows_no_ridges(draw):
     ridges = [side for x in numpy.arange(-8, 8, 0.5)
               for side in (scenes.quad((x, 0, -8), (x, 0, 8), (x + 0.25, 0.12, 8), (x + 0.25, 0.12, -8)),
                            scenes.quad((x + 0.25, 0.12, -8), (x + 0.25, 0.12, 8), (x + 0.5, 0, 8), (x + 0.5, 0, -8)))]
-    picture = draw(scenes.text(*ridges), "--particles", 20000, "--timelapse", 300, "--frames", 12,
+    picture = draw(scenes.text(scenes.FLOOR, *ridges), "--particles", 20000, "--timelapse", 300, "--frames", 12,
                    "--set", "snowfall=0.6", "--camera", "0,40,12", "--set", "billboards=0", "--set", "diameter_0=0.001",
                    "--set", "diameter_1=0.001", "--set", "sparkle=0", "--set", "sun_height=15", voxels=256)
     along = picture[80:120, 80:240].mean(axis=(0, 2))  # each ridge
