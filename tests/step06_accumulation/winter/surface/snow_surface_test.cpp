@@ -62,6 +62,23 @@ TEST(Hollows, AreFilledUpToTheMeanPlane)
     EXPECT_GT(seen, 50);
 }
 
+// Where cells are wider than a metre, pieces of a metre show nothing more, and take long to make.
+TEST(SnowSurface, IsNoFinerThanItsCellsAskFor)
+{
+    Scene scene;
+    for (const vec3 place : {vec3(-200, 0, -200), vec3(-200, 0, 200), vec3(200, 0, 200)})
+        scene.vertices.push_back({place, {0, 1, 0}, {}, {}});
+    scene.indices = {0, 1, 2};
+    scene.submeshes.push_back({{}, 0, 3});
+    const float fine_enough = 4.7f;
+    const std::vector<SurfacePart> parts = make_snow_surface(scene, fine_enough);
+    EXPECT_TRUE(parts[0].coarse.empty());
+    // Halves of a square are halved until their longest edge is short enough: then it is at least
+    // 1 / sqrt(2) of that, and the area a quarter of its square.
+    const double smallest = fine_enough * fine_enough / 2 / 4;
+    EXPECT_LE(double(parts[0].fine.size()) / 3, 0.5 * 400 * 400 / smallest);
+}
+
 // Squares of half a metre in the courtyard's room; in a valley as wide as 400 m there would be as
 // many as voxels.
 TEST(Ground, IsMadeOfAtMost64SquaresAlongAnEdge)
