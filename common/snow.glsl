@@ -27,7 +27,8 @@ struct Emitter {           // a cloud: a box in which flakes are born
     float diameter;        // m, of a flake as it is drawn
 };
 
-// std140 and C++ lay this out alike because every vec3 is followed by one float.
+// std140 and C++ lay this out alike because every vec3 is followed by one float, and what stands before
+// the array fills whole rows of 16 bytes.
 struct Weather {
     vec3 gravity;      // m/s2
     float turbulence;  // m/s2, largest random push along each axis
@@ -48,7 +49,7 @@ struct Weather {
     float swirl;        // m/s, largest speed of the air's vortices along each axis
     float vortex_size;  // m
     uint follow;        // 1: the clouds go where the camera goes, see wrapped
-    float unused;       // GLSL begins an array of structs at a multiple of 16 bytes
+    float ground;       // m, height of what the clouds hang above
     Emitter emitters[2];
 };
 
@@ -130,6 +131,7 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
                        random_unit(index, tick, 3u, weather));
     Particle p;
     p.position = centre + half_size * (2.0f * corner - 1.0f);
+    p.position.y += weather.ground;
     if (weather.follow == 0u) {  // or what is blown out comes in again, see wrapped
         vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
         p.position =
@@ -278,7 +280,8 @@ SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
 SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
 {
     float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
-    float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
+    float top = weather.world_max.y + weather.ground;
+    float y = min(p.position.y - weather.world_min.y, top - p.position.y);
     float z = min(p.position.z - weather.world_min.z, weather.world_max.z - p.position.z);
     float way = weather.follow != 0u ? y : min(x, min(y, z));  // the air goes on for ever: wrapped
     return min(lifetime(index, weather) - (p.age - p.rest), way);

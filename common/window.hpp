@@ -13,6 +13,7 @@
 
 class Harness;     // what watches a run from outside: common/harness/harness.hpp
 class FrameTimer;  // common/harness/timer.hpp
+class Terrain;     // common/harness/terrain.hpp
 struct CommandLine;
 
 // A stage of the frame: from its declaration to the end of its block the time is taken.
@@ -56,6 +57,9 @@ public:
     glm::mat4 view() const { return camera_.view(); }
     glm::mat4 projection() const { return camera_.projection(size_); }
     glm::vec3 eye() const { return camera_.eye(); }
+
+    // Tells how high the scene stands, if that is more than the clouds and the tour are made for.
+    void stand_on(const Terrain& terrain);
 
     // A line of the step's own for the panel, until it gives another.
     void note(const std::string& line);

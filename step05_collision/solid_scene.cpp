@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "common/scene/terrain.hpp"
 #include "common/window.hpp"
 #include "step05_collision/ground.hpp"
 #include "step05_collision/voxelise_on_gpu.hpp"
@@ -31,13 +32,15 @@ VoxelGrid make_grid(const Options& options, const Scene& obstacle)
 
 }  // namespace
 
-SolidScene::SolidScene(const Window& window)
+SolidScene::SolidScene(Window& window)
     : scene(load_scene(window.options().scene, window.options().up, nullptr,
                        window.options().metres)),
       collision(load_collision(window.options(), scene)),
       grid(make_grid(window.options(), obstacle())), voxels(upload_voxels(grid)),
       drawn(with_ground(scene, grid)), mesh(drawn), pictures(drawn)
-{}
+{
+    if (window.options().metres) window.stand_on(terrain_of(obstacle()));
+}
 
 void set_grid(Program& program, const VoxelGrid& grid)
 {

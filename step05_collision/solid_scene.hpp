@@ -12,7 +12,7 @@
 class Window;
 
 struct SolidScene {
-    explicit SolidScene(const Window& window);  // from the files and with the voxels of its options
+    explicit SolidScene(Window& window);  // from the files and with the voxels of its options
 
     // The triangles that flakes land on.
     const Scene& obstacle() const { return collision ? *collision : scene; }

@@ -76,21 +76,31 @@ void Harness::begin_frame(Camera& camera)
     frames_in_last_ = frames_in_one(command, drawn_);
     pacing.begin_frame(command, frame_seconds, frames_in_last_, controls);
     if (controls.touring) {
-        const Pose pose = tour(float(tour_time_));
+        const Pose pose =
+            terrain ? tour_above(*terrain, float(tour_time_)) : tour(float(tour_time_));
         camera.look(pose.eye, pose.target);
         // In a reproducible run a frame is a 60th of a second, so that a recording can be repeated.
         if (drawn_ >= command.warmup)
             tour_time_ += command.reproducible() ? 1 / 60.0 : frame_seconds;
     }
-    if (command.weather.follow != 0) {
-        for (snow::Emitter& cloud : command.weather.emitters)
-            cloud.centre = {camera.eye().x, cloud.centre.y, camera.eye().z};
-    }
+    hang_clouds(camera.eye());
     const Timing timing = measuring()   ? timing_of_frame(command, drawn_, software_)
                           : show_panel_ ? Timing::queries
                                         : Timing::off;
     if (timing != Timing::off) timer.begin_frame(timing == Timing::synchronised);
     drawn_ += frames_in_last_;
+}
+
+// Above the camera, if they are to follow it, and above whatever stands under them.
+void Harness::hang_clouds(glm::vec3 eye)
+{
+    snow::Weather& weather = command.weather;
+    if (weather.follow != 0) {
+        for (snow::Emitter& cloud : weather.emitters) cloud.centre = {eye.x, cloud.centre.y, eye.z};
+    }
+    const snow::Emitter& cloud = weather.emitters[0];
+    if (terrain)
+        weather.ground = terrain->highest({cloud.centre.x, cloud.centre.z}, cloud.half_size.x);
 }
 
 void Harness::record(glm::ivec2 size, bool last)
@@ -251,6 +261,11 @@ int Window::ticks() const
 double Window::frame_seconds() const
 {
     return harness_->frame_seconds;
+}
+
+void Window::stand_on(const Terrain& terrain)
+{
+    harness_->terrain = terrain;
 }
 
 void Window::note(const std::string& line)

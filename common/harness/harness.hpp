@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "common/harness/controls.hpp"
 #include "common/harness/options.hpp"
 #include "common/harness/pacing.hpp"
 #include "common/harness/panel.hpp"
+#include "common/harness/terrain.hpp"
 #include "common/harness/timer.hpp"
 
 class Harness {
@@ -60,12 +62,14 @@ public:
     FrameTimer timer;
     Controls controls;
     Pacing pacing;
-    double frame_seconds = 0;  // since the frame before
+    double frame_seconds = 0;        // since the frame before
+    std::optional<Terrain> terrain;  // of a scene in its own metres
 
 private:
     using Clock = std::chrono::steady_clock;
 
     bool measuring() const { return command.benchmark || !command.csv.empty(); }
+    void hang_clouds(glm::vec3 eye);
     void show_frame_time();
     void leave_off_what_is_costly();
 

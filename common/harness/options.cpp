@@ -158,6 +158,22 @@ void place_camera(const std::string& text, Camera& camera)
     camera.distance = distance;
 }
 
+// Seen from the mouth of their valley, through air with less snow in it than elsewhere.
+void enter_mountains(CommandLine& command)
+{
+    command.scene = find_file("common/assets/mountains.obj");
+    command.metres = true;
+    command.weather.follow = 1;
+    command.weather.snowfall *= 0.4f;
+    place_camera("75,9,48", command.camera);
+}
+
+// Under those of a courtyard one would see the end of the snow from anywhere in a landscape.
+void widen_clouds(snow::Weather& weather)
+{
+    for (snow::Emitter& cloud : weather.emitters) cloud.half_size.x = cloud.half_size.z = 20;
+}
+
 }  // namespace
 
 std::string keys_help(const std::vector<snow::Parameter>& parameters)
@@ -213,13 +229,17 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                    "NAME=VALUE, a number of the weather or of the step (list below)")
         ->allow_extra_args(false);
     if (lesson.has_scene) {
-        add_path("--scene", command.scene, "OBJ file to snow on, or none (the built-in courtyard)");
+        add_path("--scene", command.scene,
+                 "OBJ file to snow on, or none, or mountains: built in, with --metres, "
+                 "--follow, and less snow, or nobody would see them (the built-in courtyard)");
         add_path("--collision", command.collision,
                  "OBJ file to land on instead, in the scene's coordinates (the scene)");
         app.add_option("--up", up, "axis that points up in those files (y)")
             ->check(CLI::IsMember({"y", "z"}));
-        app.add_flag("--follow", follow,
-                     "keep the clouds above the camera: it snows wherever that goes (they stay)");
+        app.add_flag(
+            "--follow", follow,
+            "keep the clouds above the camera, 40 m of them with --metres: it snows wherever "
+            "that goes (they stay)");
         app.add_flag("--metres", command.metres,
                      "those files are in metres: keep their size, up to 2 km (fit it to 16 m)");
         app.add_option("--voxels", command.voxels, "voxels along the scene's longest axis (256)");
@@ -249,7 +269,9 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     app.add_option("--size", size, "window, WIDTHxHEIGHT in pixels (1280x720)");
     app.add_option("--camera", camera,
                    "AZIMUTH,ELEVATION,DISTANCE from the middle, degrees and m (41,15,17.5)");
-    app.add_flag("--tour", command.tour, "fly the camera through the courtyard, round and round");
+    app.add_flag(
+        "--tour", command.tour,
+        "fly the camera through the courtyard, or around a scene in --metres, round and round");
     CLI::Option* vsync = app.add_flag("--vsync", command.vsync,
                                       "wait for the display (off, so that times can be compared)");
     app.add_option("--frames", command.frames, "stop after so many frames (run until closed)");
@@ -289,9 +311,11 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         command.size = parse_size(size);
         check_voxels(command.voxels);
         if (hint != nullptr && hint->count() > 0) check_hint(command);
-        if (!camera.empty()) place_camera(camera, command.camera);
         command.weather = snow::make_weather(preset, particles, seed);
-        command.weather.follow = follow ? 1 : 0;
+        if (command.scene == "mountains") enter_mountains(command);
+        if (!camera.empty()) place_camera(camera, command.camera);
+        if (follow) command.weather.follow = 1;
+        if (command.metres && command.weather.follow != 0) widen_clouds(command.weather);
         for (const std::string& setting : settings) apply_setting(setting, command);
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();

@@ -1,5 +1,6 @@
 #include "common/harness/tour.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -34,4 +35,36 @@ Pose tour(float seconds)
                         t * (2.0f * a - 5.0f * b + 4.0f * c - d + t * (3.0f * (b - c) + d - a)));
     };
     return {spline(&Pose::eye), spline(&Pose::target)};
+}
+
+namespace {
+
+// A place on the circle, as high above the terrain as keeps clear of it, and smooth: the mean over
+// some way before and behind of the highest around.
+glm::vec3 above(const Terrain& terrain, float radius, float turn)
+{
+    constexpr int samples = 64;
+    constexpr float clearance = 4, around = 8, smooth = 20;  // m
+    const auto place = [&](float angle) {
+        return radius * glm::vec2(std::sin(angle), std::cos(angle));
+    };
+    float height = 0;
+    for (int i = -samples; i <= samples; ++i) {
+        const float part = float(i) / samples;
+        height += terrain.highest(place(turn + part * smooth / radius), around);
+    }
+    const glm::vec2 here = place(turn);
+    return {here.x, clearance + height / (2 * samples + 1), here.y};
+}
+
+}  // namespace
+
+Pose tour_above(const Terrain& terrain, float seconds)
+{
+    const float radius = std::max(0.33f * terrain.half_size, 10.0f);  // m
+    const float turn = 6.2831853f * std::fmod(seconds / tour_seconds, 1.0f);
+    const glm::vec3 eye = above(terrain, radius, turn);
+    glm::vec3 target = above(terrain, 0.4f * radius, turn + 0.7f);  // ahead, and into the circle
+    target.y -= 3;  // down a little: rather the ground than the sky
+    return {eye, target};
 }

@@ -4,6 +4,7 @@
 
 #include "common/harness/files.hpp"
 #include "common/harness/tour.hpp"
+#include "common/scene/terrain.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
 TEST(Camera, SeesItsTargetInTheMiddle)
@@ -100,5 +101,22 @@ TEST(Tour, LeadsThroughNothingSolid)
             const glm::ivec3 neighbour(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
             EXPECT_FALSE(grid.solid(cell + neighbour)) << "s " << t;
         }
+    }
+}
+
+TEST(TourAbove, IsALoopThatKeepsClearOfTheMountains)
+{
+    const Terrain terrain =
+        terrain_of(load_scene(find_file("common/assets/mountains.obj"), 'y', nullptr, true));
+    EXPECT_FLOAT_EQ(terrain.half_size, 200);
+    EXPECT_GT(terrain.highest({0, 0}, 200), 60);
+    EXPECT_LT(terrain.highest({0, 20}, 1), 5);
+    EXPECT_LT(glm::distance(tour_above(terrain, 0).eye, tour_above(terrain, tour_seconds).eye),
+              0.1f);
+    constexpr float frame = 1 / 60.0f;  // s
+    for (float t = 0; t < tour_seconds; t += frame) {
+        const glm::vec3 eye = tour_above(terrain, t).eye;
+        EXPECT_GT(eye.y, terrain.highest({eye.x, eye.z}, 0) + 1) << t;  // squares of 3 m
+        EXPECT_LT(glm::distance(eye, tour_above(terrain, t + frame).eye) / frame, 25) << t;
     }
 }

@@ -89,3 +89,28 @@ def test_snow_lies_where_it_fell(programs, tmp_path, variant):
     check_sums(ledger(result.stdout), cover, cover_sums(result.stdout))
     assert len(cover.place) > 500
     assert (cover.place[:, 2] > eye(0, 10, 8)[1] - HALF - 6 * cover.cell).all()
+
+
+# A plateau 400 m wide, 50 m above a plain that is 500 m wide.
+PLATEAU = scenes.text(scenes.quad((-250, 0, -250), (-250, 0, 250), (250, 0, 250), (250, 0, -250)),
+                      scenes.box((-200, 0, -200), (200, 50, 200)))
+
+
+@pytest.mark.parametrize("step, variant", SNOWING)
+def test_in_metres_it_snows_on_top_of_what_is_under_the_clouds(programs, tmp_path, step, variant):
+    path = tmp_path / "plateau.obj"
+    path.write_text(PLATEAU)
+    arguments = ["--variant", variant, "--scene", path, "--metres", "--follow", "--voxels", 64, "--particles", 3000,
+                 "--camera", "90,0,60", "--timelapse", 300, "--frames", 4]
+    said = programs.run_well(step, *SMALL, *arguments).stdout
+    cell = 500 / 62  # m; one voxel of air on each side
+    entries = ledger(said)
+    assert entries["released"] == sum(entries.values()) - entries["released"]
+
+    flakes = programs.flakes(step, *arguments)
+    lying = flakes.position[flakes.rest > 0]
+    assert len(lying) > 200
+    assert (lying[:, 1] >= 50).all() and (lying[:, 1] < 50 + 2 * cell).all()
+    from_eye = flakes.position[flakes.age >= 0][:, [0, 2]] - [60, 0]
+    assert (abs(from_eye) <= 20.1).all()  # of clouds 40 m wide; one may land in the step that takes it out
+    assert (numpy.ptp(from_eye, axis=0) > 36).all()

@@ -28,8 +28,9 @@ struct SurfacePart {
 
 // Cuts the scene into triangles no longer than a metre, the most that tessellation can divide into
 // pieces of a cell. What has no edge longer than `fine_enough`, m (in a large scene more than a
-// metre), or lies under no snow, is left alone. Where a surface that snow can lie on ends, a skirt of two triangles an edge, flat until
-// snow lifts its upper side, closes the gap to what stays below: all skirts are one part more.
+// metre), or lies under no snow, is left alone. Where a surface that snow can lie on ends, a skirt
+// of two triangles an edge, flat until snow lifts its upper side, closes the gap to what stays
+// below: all skirts are one part more.
 std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough);
 
 // The field around the grid's cube as far as one sees, in rings: the innermost, which is to be

@@ -30,6 +30,7 @@ SIGHTS = {
     "hail": ["--weather", "hail"],
     "rain": ["--weather", "rain"],
     "wind": ["--set", "wind_x=2"],
+    "mountains": ["--scene", "mountains"],
     "flakes": ["--camera", "41,8,3"],
     "crystals": ["--camera", "41,8,17", "--set", "diameter_0=0.5", "--set", "diameter_1=1"],
     "costly": ["--set", "tessellation=1", "--set", "soft_shadows=1", "--set", "multisample=1",

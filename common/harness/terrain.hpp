@@ -1,0 +1,40 @@
+// How high the scene stands where: the highest of it in each of 128 x 128 squares around the
+// middle.
+#pragma once
+
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <vector>
+
+class Terrain {
+public:
+    float half_size = 0;  // m, from the middle to the edge
+
+    // The square in which a place (x, z) lies, m, or the nearest.
+    glm::ivec2 square(glm::vec2 place) const
+    {
+        const glm::vec2 part = 0.5f + 0.5f * place / std::max(half_size, 1.0f);
+        return glm::clamp(glm::ivec2(glm::floor(part * float(squares))), 0, squares - 1);
+    }
+    void raise(glm::ivec2 square, float height)
+    {
+        float& known = heights_[size_t(square.y) * squares + size_t(square.x)];
+        known = std::max(known, height);
+    }
+
+    // The highest of the scene within `around` m of a place along x and z; 0 if nothing is there.
+    float highest(glm::vec2 place, float around) const
+    {
+        const glm::ivec2 first = square(place - around), last = square(place + around);
+        float best = 0;
+        for (int z = first.y; z <= last.y; ++z) {
+            for (int x = first.x; x <= last.x; ++x)
+                best = std::max(best, heights_[size_t(z) * squares + size_t(x)]);
+        }
+        return best;
+    }
+
+private:
+    static constexpr int squares = 128;  // along each edge
+    std::vector<float> heights_ = std::vector<float>(squares * squares);
+};
