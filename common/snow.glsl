@@ -131,12 +131,12 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
                        random_unit(index, tick, 3u, weather));
     Particle p;
     p.position = centre + half_size * (2.0f * corner - 1.0f);
-    p.position.y += weather.ground;
     if (weather.follow == 0u) {  // or what is blown out comes in again, see wrapped
         vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
         p.position =
             clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
     }
+    p.position.y += weather.ground;  // from which the heights of clouds and world count
     p.age = 0.0f;
     p.velocity = weather.wind;
     p.rest = 0.0f;

@@ -114,3 +114,18 @@ def test_in_metres_it_snows_on_top_of_what_is_under_the_clouds(programs, tmp_pat
     from_eye = flakes.position[flakes.age >= 0][:, [0, 2]] - [60, 0]
     assert (abs(from_eye) <= 20.1).all()  # of clouds 40 m wide; one may land in the step that takes it out
     assert (numpy.ptp(from_eye, axis=0) > 36).all()
+
+
+@pytest.mark.parametrize("step", WITH_SCENE)
+def test_clouds_that_stay_hang_above_a_scene_in_metres_too(programs, tmp_path, step):
+    """And as far upwind as their own height asks for, not that of what they hang above: 8 m at 1 m/s,
+    12 m at 1.5 m/s. Voxels are 8 m wide, so flakes lie higher than the plateau, and come less far back."""
+    path = tmp_path / "plateau.obj"
+    path.write_text(PLATEAU)
+    flakes = programs.flakes(step, "--scene", path, "--metres", "--voxels", 64, "--particles", 1000,
+                             "--timelapse", 300, "--frames", 4, "--set", "wind_x=2",
+                             *(["--set", "gusts=0"] if step == "step06_accumulation" else []))
+    lying = flakes.position[flakes.rest > 0]
+    assert len(lying) > 200
+    assert (lying[:, 1] >= 50).all()
+    assert -2 * 8 < lying[:, 0].mean() < 0
