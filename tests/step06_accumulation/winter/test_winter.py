@@ -10,7 +10,7 @@ from reports import cover_sums, ledger
 
 STEP = "step06_accumulation"
 WINTER = ["--size", "320x180", "--voxels", 64, "--particles", 1000, "--seed", 7]
-CAMERAS = {"courtyard": "41,15,17.5", "table": "60,18,7", "roof": "200,35,14"}
+CAMERAS = {"courtyard": "41,15,17.5", "table": "60,18,7", "roof": "200,35,14", "tree": "225,12,7.5"}
 
 
 @pytest.mark.parametrize("camera", CAMERAS)
