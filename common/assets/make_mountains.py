@@ -5,8 +5,8 @@ Run:    python3 make_mountains.py        (writes the file beside this script)
 Units:  metres; y is up, right-handed; x and z span [-200, 200], and at the edges y = 0.
 
 Peaks stand around a valley that opens towards +x, where in the afternoon the sun stands; where it is flat,
-in the middle, are huts, and on the slopes above it firs. Ground that can hold snow is white with that of the last months, what is
-steeper is rock; colours belong to vertices, so that one fades into the other.
+in the middle, are huts, and on the slopes above it firs. Ground that can hold snow is white with that of the
+last months, what is steeper is rock; colours belong to vertices, so that one fades into the other.
 """
 import random
 from math import atan2, cos, floor, hypot, pi, sin
@@ -58,6 +58,11 @@ def height(x, z):
     return PEAK * ridges * rise * fall * (0.12 + 0.88 * smoothstep(0.5, 1.3, from_mouth(x, z)))
 
 
+def slope(x, z):
+    """Of the ground, m for each m."""
+    return hypot(height(x + 2, z) - height(x - 2, z), height(x, z + 2) - height(x, z - 2)) / 4
+
+
 class Obj:
     """Vertices with colours, numbered from 1, and the faces between them."""
 
@@ -83,8 +88,7 @@ def ground(obj):
     for k in range(n):
         for i in range(n):
             x, z = i * STEP - HALF, k * STEP - HALF
-            slope = hypot(height(x + 2, z) - height(x - 2, z), height(x, z + 2) - height(x, z - 2)) / 4
-            rock = smoothstep(0.75, 1.1, slope + 0.15 * noise(x / 9, z / 9))    # 37 to 48 degrees
+            rock = smoothstep(0.75, 1.1, slope(x, z) + 0.15 * noise(x / 9, z / 9))    # 37 to 48 degrees
             grass = (1 - smoothstep(1, 14, height(x, z))) * smoothstep(-0.2, 0.5, noise(x / 14, z / 14))
             white = [s + 0.35 * grass * (g - s) for s, g in zip(SNOW, GRASS)]
             obj.vertex((x, height(x, z), z), [w + rock * (r - w) for w, r in zip(white, ROCK)])
@@ -134,11 +138,10 @@ def firs(obj):
     choose, placed = random.Random(4), []
     while len(placed) < 190:
         x, z = choose.uniform(-150, 150), choose.uniform(-150, 150)
-        slope = hypot(height(x + 2, z) - height(x - 2, z), height(x, z + 2) - height(x, z - 2)) / 4
         clear = all(hypot(x - a, z - b) > 3.5 for a, b in placed)
         wood = smoothstep(-0.3, 0.4, noise(x / 30 + 5, z / 30))
         in_view = from_mouth(x, z) < 0.7 and hypot(x, z) < 75    # of who looks in by the mouth
-        if (in_view or hypot(x, z) < 20 or slope > 0.8 or not clear or choose.random() > wood
+        if (in_view or hypot(x, z) < 20 or slope(x, z) > 0.8 or not clear or choose.random() > wood
                 or height(x, z) > choose.uniform(15, 50)):
             continue
         placed.append((x, z))

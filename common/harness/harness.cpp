@@ -91,7 +91,7 @@ void Harness::begin_frame(Camera& camera)
     drawn_ += frames_in_last_;
 }
 
-// Above the camera, if they are to follow it, and above whatever stands under them.
+// Clouds hang above the camera, if they are to follow it, and above whatever stands under them.
 void Harness::hang_clouds(glm::vec3 eye)
 {
     snow::Weather& weather = command.weather;

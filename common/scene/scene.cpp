@@ -43,9 +43,12 @@ Placement fit(const std::filesystem::path& path, const Obj& obj, char up, bool i
         reason << "it is " << largest << " across, not within 1e-30 and 1e30";
         refuse_scene(path, reason.str());
     }
-    double factor = in_metres ? 1 : INFINITY;
-    for (int axis = 0; axis < 3 && !in_metres; ++axis) {
-        if (size[axis] > 0) factor = std::min(factor, room[axis] / size[axis]);
+    double factor = 1;
+    if (!in_metres) {
+        factor = INFINITY;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (size[axis] > 0) factor = std::min(factor, room[axis] / size[axis]);
+        }
     }
     const dvec3 foot(0.5 * (least.x + most.x), least.y, 0.5 * (least.z + most.z));
     return {factor, foot};

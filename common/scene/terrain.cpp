@@ -1,6 +1,7 @@
 #include "common/scene/terrain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using glm::ivec2;
 using glm::vec2;

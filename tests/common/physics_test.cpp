@@ -351,7 +351,6 @@ TEST(Physics, FlakeThatNeverLandsIsLostAfterItsLifetime)
     EXPECT_NEAR(float(step) * weather.time_step, lifetime(1, weather), 4 * weather.time_step);
 }
 
-// Explicit loops, a call for each flake: the order of the work is all that differs.
 TEST(Follow, MovesAFlakeByWholeWidthsOfItsCloudAndOnlyIfAsked)
 {
     Weather weather = calm_weather(1);
@@ -373,6 +372,7 @@ TEST(Follow, MovesAFlakeByWholeWidthsOfItsCloudAndOnlyIfAsked)
     EXPECT_EQ(wrapped(flake, 0, weather).position, flake.position);  // it waits
 }
 
+// Explicit loops, a call for each flake: the order of the work is all that differs.
 TEST(Update, OneLoopThreeLoopsAndAdvanceAgreeToTheLastBit)
 {
     for (const uint particles : {0u, 1u, 63u, 64u, 65u, 1000u}) {
