@@ -9,8 +9,8 @@ layout(max_vertices = 4) out;
 // Hailstones are too large for that.
 float frozen(float seconds)
 {
-    // Of a flake in air of one degree, each second. By eye, so that it shows on a way of some 10 m: in nature it
-    // takes a much longer one.
+    // Of a flake in air of one degree, each second. By eye, so that it shows on a way of some 10 m: in nature
+    // it takes a much longer one.
     const float rate = 0.02;
     if (weather.kind == hail_kind) return 1.0;
     return 1.0 - clamp(rate * weather.temperature * seconds, 0.0, 1.0);
