@@ -32,6 +32,7 @@
 #define FRAME_UNIT 12   // its light
 #define FRAME_DEPTH_UNIT 13
 #define GLOW_UNIT 14
+#define TERRAIN_UNIT 15  // how high the ground stands
 
 // Image units
 #define DEPTH_IMAGE 0

@@ -49,7 +49,7 @@ struct Weather {
     float swirl;        // m/s, largest speed of the air's vortices along each axis
     float vortex_size;  // m
     uint follow;        // 1: the clouds go where the camera goes, see wrapped
-    float ground;       // m, height of what the clouds hang above
+    uint unused;        // fills the row of four
     Emitter emitters[2];
 };
 
@@ -136,7 +136,6 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
         p.position =
             clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
     }
-    p.position.y += weather.ground;  // from which the heights of clouds and world count
     p.age = 0.0f;
     p.velocity = weather.wind;
     p.rest = 0.0f;
@@ -280,8 +279,7 @@ SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
 SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
 {
     float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
-    float top = weather.world_max.y + weather.ground;
-    float y = min(p.position.y - weather.world_min.y, top - p.position.y);
+    float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
     float z = min(p.position.z - weather.world_min.z, weather.world_max.z - p.position.z);
     float way = weather.follow != 0u ? y : min(x, min(y, z));  // the air goes on for ever: wrapped
     return min(lifetime(index, weather) - (p.age - p.rest), way);

@@ -2,11 +2,15 @@
 // other: see wrapped in common/snow.glsl. Whoever includes this has defined open_sky(position): does nothing
 // stand there, or above?
 
-// Takes the flake to the other side if it has left. Returns false if no snow can be falling there, under a roof
-// or in a wall: then it is to be born again.
+#include "step05_collision/terrain.glsl"
+
+// Takes the flake to the other side if it has left, as high above the ground there as it was here. Returns false
+// if no snow can be falling there, under a roof or in a wall: then it is to be born again.
 bool goes_on(inout Particle p, uint index)
 {
     vec3 before = p.position;
     p = wrapped(p, index, weather);
-    return p.position == before || open_sky(p.position);
+    if (p.position == before) return true;
+    p.position.y += terrain_at(p.position) - terrain_at(before);
+    return open_sky(p.position);
 }

@@ -48,6 +48,7 @@ void run(Window& window)
             const auto stage = window.stage("update");
             update.use();
             set_voxels(update, solid);
+            set_terrain(update, solid);
             ledger.bind();
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);

@@ -1,5 +1,6 @@
 #include "step05_collision/solid_scene.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -30,6 +31,18 @@ VoxelGrid make_grid(const Options& options, const Scene& obstacle)
     return grid;
 }
 
+GlObject upload_terrain(const Terrain& terrain)
+{
+    GlObject texture = make_texture();
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, Terrain::squares, Terrain::squares, 0, GL_RED, GL_FLOAT,
+                 terrain.heights().data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
 }  // namespace
 
 SolidScene::SolidScene(Window& window)
@@ -39,7 +52,13 @@ SolidScene::SolidScene(Window& window)
       grid(make_grid(window.options(), obstacle())), voxels(upload_voxels(grid)),
       drawn(with_ground(scene, grid)), mesh(drawn), pictures(drawn)
 {
-    if (window.options().metres) window.stand_on(terrain_of(obstacle()));
+    Terrain ground;  // level
+    if (window.options().metres) {
+        ground = terrain_of(obstacle());
+        window.stand_on(ground);
+        terrain_half_size = std::max(ground.half_size, 1.0f);
+    }
+    terrain = upload_terrain(ground);
 }
 
 void set_grid(Program& program, const VoxelGrid& grid)
@@ -53,6 +72,12 @@ void set_voxels(Program& program, const SolidScene& solid)
 {
     set_grid(program, solid.grid);
     program.set_texture("voxels", VOXELS_UNIT, GL_TEXTURE_3D, solid.voxels);
+}
+
+void set_terrain(Program& program, const SolidScene& solid)
+{
+    program.set_texture("terrain", TERRAIN_UNIT, GL_TEXTURE_2D, solid.terrain);
+    program.set("terrain_half_size", solid.terrain_half_size);
 }
 
 void draw_scene(Program& program, const SolidScene& solid)

@@ -24,12 +24,15 @@ struct SolidScene {
     Scene drawn;                     // the scene, and the ground beside the obstacle
     SceneMesh mesh;                  // the same on the GPU
     ScenePictures pictures;          // on it
+    float terrain_half_size = 1;     // m, see terrain.glsl
+    GlObject terrain;
 };
 
 // Gives the program in use the grid's place in the world (grid.glsl), and with it its voxels
-// (voxels.glsl).
+// (voxels.glsl), or how high the ground stands (terrain.glsl).
 void set_grid(Program& program, const VoxelGrid& grid);
 void set_voxels(Program& program, const SolidScene& solid);
+void set_terrain(Program& program, const SolidScene& solid);
 
 // Draws the scene, material by material, with the program in use (picture.glsl).
 void draw_scene(Program& program, const SolidScene& solid);

@@ -47,6 +47,7 @@ void run_triangles(Window& window)
             const auto stage = window.stage("update");
             update.use();
             triangles.set(update);
+            set_terrain(update, solid);
             ledger.bind();
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);

@@ -15,6 +15,7 @@ void main()
     if (!goes_on(p, index) || gone(p, index, weather)) {
         if (old_age >= 0.0) count_end(melt_left(p, weather) < 0.0);
         p = born(index, tick, weather);
+        p.position.y += terrain_at(p.position);  // its cloud hangs above the ground
         count_release();
     }
     store_flake(p);

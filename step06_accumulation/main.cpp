@@ -52,6 +52,7 @@ void run(Window& window)
             const auto stage = window.stage("update");
             update.use();
             set_voxels(update, solid);
+            set_terrain(update, solid);
             ledger.bind();
             cover.bind();
             update.set("flake_mass", cover.flake_mass(weather, solid.grid));

@@ -54,6 +54,7 @@ void run_winter(Window& window)
             const auto stage = window.stage("update");
             update.use();
             set_voxels(update, solid);
+            set_terrain(update, solid);
             ledger.bind();
             cover.bind();
             winter.set_wind(update, weather);

@@ -83,24 +83,16 @@ void Harness::begin_frame(Camera& camera)
         if (drawn_ >= command.warmup)
             tour_time_ += command.reproducible() ? 1 / 60.0 : frame_seconds;
     }
-    hang_clouds(camera.eye());
+    snow::Weather& weather = command.weather;
+    if (weather.follow != 0) {
+        const glm::vec3 eye = camera.eye();
+        for (snow::Emitter& cloud : weather.emitters) cloud.centre = {eye.x, cloud.centre.y, eye.z};
+    }
     const Timing timing = measuring()   ? timing_of_frame(command, drawn_, software_)
                           : show_panel_ ? Timing::queries
                                         : Timing::off;
     if (timing != Timing::off) timer.begin_frame(timing == Timing::synchronised);
     drawn_ += frames_in_last_;
-}
-
-// Clouds hang above the camera, if they are to follow it, and above whatever stands under them.
-void Harness::hang_clouds(glm::vec3 eye)
-{
-    snow::Weather& weather = command.weather;
-    if (weather.follow != 0) {
-        for (snow::Emitter& cloud : weather.emitters) cloud.centre = {eye.x, cloud.centre.y, eye.z};
-    }
-    const snow::Emitter& cloud = weather.emitters[0];
-    if (terrain)
-        weather.ground = terrain->highest({cloud.centre.x, cloud.centre.z}, cloud.half_size.x);
 }
 
 void Harness::record(glm::ivec2 size, bool last)
@@ -266,6 +258,8 @@ double Window::frame_seconds() const
 void Window::stand_on(const Terrain& terrain)
 {
     harness_->terrain = terrain;
+    // Clouds hang as high above it as elsewhere above y = 0: see step05_collision/terrain.glsl.
+    harness_->command.weather.world_max.y += terrain.highest({0, 0}, terrain.half_size);
 }
 
 void Window::note(const std::string& line)

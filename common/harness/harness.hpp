@@ -69,7 +69,6 @@ private:
     using Clock = std::chrono::steady_clock;
 
     bool measuring() const { return command.benchmark || !command.csv.empty(); }
-    void hang_clouds(glm::vec3 eye);
     void show_frame_time();
     void leave_off_what_is_costly();
 

@@ -230,8 +230,8 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         ->allow_extra_args(false);
     if (lesson.has_scene) {
         add_path("--scene", command.scene,
-                 "OBJ file to snow on, or none, or mountains: built in, with --metres, "
-                 "--follow, and less snow, or nobody would see them (the built-in courtyard)");
+                 "OBJ file to snow on, or none, or one that is built in: courtyard, or mountains, with "
+                 "--metres, --follow, and less snow, or nobody would see them (courtyard)");
         add_path("--collision", command.collision,
                  "OBJ file to land on instead, in the scene's coordinates (the scene)");
         app.add_option("--up", up, "axis that points up in those files (y)")
@@ -325,7 +325,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         std::exit(2);
     }
     command.up = up.front();
-    if (lesson.has_scene && command.scene.empty()) {
+    if (lesson.has_scene && (command.scene.empty() || command.scene == "courtyard")) {
         command.scene = find_file("common/assets/courtyard.obj");
     }
     for (const auto& output : {command.screenshot, command.dump, command.dump_cover, command.csv}) {

@@ -16,6 +16,11 @@ public:
         const glm::vec2 part = 0.5f + 0.5f * place / std::max(half_size, 1.0f);
         return glm::clamp(glm::ivec2(glm::floor(part * float(squares))), 0, squares - 1);
     }
+    // The corner of least x and z of a square, m.
+    glm::vec2 corner(glm::ivec2 square) const
+    {
+        return (2.0f * glm::vec2(square) / float(squares) - 1.0f) * std::max(half_size, 1.0f);
+    }
     void raise(glm::ivec2 square, float height)
     {
         float& known = heights_[size_t(square.y) * squares + size_t(square.x)];
@@ -34,7 +39,11 @@ public:
         return best;
     }
 
-private:
     static constexpr int squares = 128;  // along each edge
+
+    // Of each square, m: row by row along x, from the least z on.
+    const std::vector<float>& heights() const { return heights_; }
+
+private:
     std::vector<float> heights_ = std::vector<float>(squares * squares);
 };

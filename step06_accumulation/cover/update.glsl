@@ -74,6 +74,7 @@ void main()
             }
         }
         p = born(index, tick, weather);
+        p.position.y += terrain_at(p.position);  // its cloud hangs above the ground
         count_release();
     }
     store_flake(p);

@@ -116,6 +116,30 @@ def test_in_metres_it_snows_on_top_of_what_is_under_the_clouds(programs, tmp_pat
     assert (numpy.ptp(from_eye, axis=0) > 36).all()
 
 
+# It rises from 0 to 60 m over 120 m.
+SLOPE = scenes.text(scenes.quad((-60, 0, -60), (-60, 0, 60), (60, 60, 60), (60, 60, -60)))
+
+
+@pytest.mark.parametrize("step, variant", SNOWING)
+@pytest.mark.parametrize("wind", [0, 12])
+def test_it_snows_along_a_slope(programs, tmp_path, step, variant, wind):
+    """Everywhere as high above it, and half of the flakes on either side of the camera; also those that the wind,
+    uphill, has taken out and in again. Clouds end 12.75 m up; the highest in a square of the terrain is half a
+    metre above its middle, and by a metre a flake may be swept up or be in the ground."""
+    path = tmp_path / "slope.obj"
+    path.write_text(SLOPE)
+    arguments = ["--variant", variant, "--scene", path, "--metres", "--follow", "--voxels", 64, "--particles", 3000,
+                 "--camera", "0,85,30", "--timelapse", 300, "--frames", 4, "--set", f"wind_x={wind}",
+                 *(["--set", "gusts=0"] if variant == "winter" else [])]
+    entries = ledger(programs.run_well(step, *SMALL, *arguments).stdout)
+    assert entries["left"] < 0.3 * entries["released"]  # one in ten sublimates
+    flakes = programs.flakes(step, *arguments)
+    x, y, _ = flakes.position[flakes.airborne].T
+    height = y - 0.5 * (x + 60)
+    assert (height > -1).all() and (height < 12.75 + 0.5 + 1).all()
+    assert len(x) > 500 and 0.4 < (x > 0).mean() < 0.6
+
+
 @pytest.mark.parametrize("step", WITH_SCENE)
 def test_clouds_that_stay_hang_above_a_scene_in_metres_too(programs, tmp_path, step):
     """And as far upwind as their own height asks for, not that of what they hang above: 8 m at 1 m/s,

@@ -35,6 +35,15 @@ TEST(Options, HaveTheirDefaults)
     EXPECT_FALSE(options.reproducible());
 }
 
+TEST(Options, ScenesThatAreBuiltInHaveNames)
+{
+    EXPECT_EQ(parse({"--scene", "courtyard"}).scene, parse({}).scene);
+    const CommandLine mountains = parse({"--scene", "mountains"});
+    EXPECT_NE(mountains.scene, parse({}).scene);
+    EXPECT_TRUE(mountains.metres);
+    EXPECT_EQ(mountains.weather.follow, 1u);
+}
+
 TEST(Options, AreTakenFromTheCommandLine)
 {
     const CommandLine options =
