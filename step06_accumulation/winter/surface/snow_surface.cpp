@@ -21,6 +21,32 @@ struct BytewiseLess {
     }
 };
 
+using Point = std::array<float, 3>;
+
+Point point_of(const Vertex& v)
+{
+    return {v.position.x, v.position.y, v.position.z};
+}
+
+// What is steep is lifted less. One point is lifted by as much in all triangles that meet there, or
+// there would be gaps.
+void lift_less_where_steep(std::vector<SurfacePart>& parts)
+{
+    const auto each = [&](const auto& change) {
+        for (SurfacePart& part : parts) {
+            for (SurfaceVertex& vertex : part.fine) change(vertex);
+            for (SurfaceVertex& vertex : part.coarse) change(vertex);
+        }
+    };
+    std::map<Point, float> lift;
+    each([&](const SurfaceVertex& v) {
+        if (v.skirt != 0) return;  // its normal points to the side
+        float& most = lift[point_of(v.vertex)];
+        most = std::max(most, glm::smoothstep(0.1f, 0.4f, v.vertex.normal.y));  // as in look.glsl
+    });
+    each([&](SurfaceVertex& v) { v.lift *= lift[point_of(v.vertex)]; });
+}
+
 }  // namespace
 
 std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough)
@@ -39,10 +65,6 @@ std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough
 
     // The edges at which such a surface ends: one that two triangles share is met in both
     // directions.
-    using Point = std::array<float, 3>;
-    const auto point = [](const Vertex& v) {
-        return Point{v.position.x, v.position.y, v.position.z};
-    };
     std::map<std::pair<Point, Point>, std::pair<Vertex, Vertex>> border;
 
     std::vector<std::array<Vertex, 3>> left;
@@ -82,8 +104,8 @@ std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough
             }
             add({a, 1, 0, {}}, {b, 1, 0, {}}, {c, 1, 0, {}});
             for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-                if (border.erase({point(to), point(from)}) == 0)
-                    border.insert({{point(from), point(to)}, {from, to}});
+                if (border.erase({point_of(to), point_of(from)}) == 0)
+                    border.insert({{point_of(from), point_of(to)}, {from, to}});
             }
         }
     }
@@ -98,6 +120,7 @@ std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough
         add({to, 1, 1, {}}, {from, 1, 1, {}}, {from, 0, 1, {}});
         add({to, 1, 1, {}}, {from, 0, 1, {}}, {to, 0, 1, {}});
     }
+    lift_less_where_steep(parts);
     return parts;
 }
 

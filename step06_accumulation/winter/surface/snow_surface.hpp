@@ -12,7 +12,7 @@
 
 struct SurfaceVertex {
     Vertex vertex;
-    float lift;   // 1: moves with the snow, 0: stays
+    float lift;   // 1: moves with the snow, 0: stays; less than 1 where it is steep
     float skirt;  // 1: part of the snow's side
     // Of the surface when deep snow has filled its hollows: the normal, and how far above it lies,
     // m. See hollows.hpp.

@@ -4,19 +4,24 @@ import re
 
 import pytest
 
+import scenes
 from conftest import SMALL
 from pictures import check_picture, read
 from reports import cover_sums, ledger
 
 STEP = "step06_accumulation"
 WINTER = ["--size", "320x180", "--voxels", 64, "--particles", 1000, "--seed", 7]
-CAMERAS = {"courtyard": "41,15,17.5", "table": "60,18,7", "roof": "200,35,14", "tree": "225,12,7.5"}
+CAMERAS = {"courtyard": "41,15,17.5", "table": "60,18,7", "roof": "200,35,14", "tree": "225,12,7.5",
+           "rabbit": "30,15,9"}
 
 
 @pytest.mark.parametrize("camera", CAMERAS)
 def test_picture_after_0_60_and_300_seconds(request, programs, tmp_path, camera):
     """A frame is 5 s: the 12th comes after 60 s, the 60th after 300 s."""
     view = [*WINTER, "--camera", CAMERAS[camera]]
+    if camera == "rabbit":
+        (tmp_path / "rabbit.obj").write_text(scenes.RABBIT)
+        view += ["--scene", tmp_path / "rabbit.obj"]
     programs.run_well(STEP, *view, "--frames", 1, "--screenshot", tmp_path / "first.png")
     check_picture(request, programs, f"winter_{camera}_0s", read(tmp_path / "first.png"))
     programs.run_well(STEP, *view, "--timelapse", 300, "--frames", 60, "--record", tmp_path)

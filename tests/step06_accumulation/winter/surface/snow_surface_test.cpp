@@ -79,6 +79,36 @@ TEST(SnowSurface, IsNoFinerThanItsCellsAskFor)
     EXPECT_LE(double(parts[0].fine.size()) / 3, 0.5 * 400 * 400 / smallest);
 }
 
+// A gentle slope and a steep one below it. Along the edge that they share both go up with the snow alike, or
+// one would see between them.
+TEST(SnowSurface, IsLiftedLessWhereItIsSteep)
+{
+    Scene scene;
+    const vec3 steep_normal = glm::normalize(vec3(1, 0.2f, 0));
+    const auto add = [&](vec3 place, vec3 normal) {
+        scene.indices.push_back(uint32_t(scene.vertices.size()));
+        scene.vertices.push_back({place, normal, {}, {}});
+    };
+    const vec3 above(-1, 2, 0), a(0, 2, 1), b(0, 2, -1), below(0.2f, 1, 0);
+    for (const vec3 place : {above, a, b}) add(place, {0, 1, 0});
+    for (const vec3 place : {b, a, below}) add(place, steep_normal);
+    scene.submeshes.push_back({{}, 0, scene.indices.size()});
+    int on_edge = 0, at_the_bottom = 0;
+    const std::vector<SurfacePart> parts = make_snow_surface(scene, 4);
+    for (const SurfaceVertex& corner : parts[0].fine) {
+        const vec3 place = corner.vertex.position;
+        if (place.x == 0) {
+            EXPECT_EQ(corner.lift, 1);
+            on_edge += corner.vertex.normal == steep_normal;
+        } else if (place == below) {
+            EXPECT_LT(corner.lift, 0.1f);
+            ++at_the_bottom;
+        }
+    }
+    EXPECT_EQ(on_edge, 2);
+    EXPECT_EQ(at_the_bottom, 1);
+}
+
 // Squares of half a metre in the courtyard's room; in a valley as wide as 400 m there would be as
 // many as voxels.
 TEST(Ground, IsMadeOfAtMost64SquaresAlongAnEdge)
