@@ -80,7 +80,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         arrows_.draw(computed_.wind, solid_, weather, tick);
     }
     frame_.end_edges();
-    if (Daylight::lamp != 0) {
+    if (daylight_.light().lamp_is_on > 0) {
         const auto stage = window.stage("halo");
         frame_.detach_depth();
         lamp_.draw_halo(daylight_.light(), frame_.depth());

@@ -14,11 +14,14 @@ std::vector<snow::Parameter> Sky::parameters()
 
 void Sky::draw(const snow::Light& light)
 {
-    (light.stars > 0 ? night_ : day_).use();
+    Program& program = light.stars > 0 ? night_ : day_;
+    program.use();
+    const glm::ivec2 squares(40, 24);  // see sky.vert
+    program.set("squares", glm::vec2(squares));
     glBindVertexArray(vao_);
     glDepthRange(1, 1);  // as far as can be: it is seen where nothing else was drawn
     glDepthFunc(GL_LEQUAL);
-    glDrawArrays(GL_TRIANGLES, 0, 40 * 24 * 6);  // squares across and up, see sky.vert
+    glDrawArrays(GL_TRIANGLES, 0, 6 * squares.x * squares.y);
     glDepthFunc(GL_LESS);
     glDepthRange(0, 1);
 }

@@ -4,7 +4,7 @@
 
 #include "step06_accumulation/winter/light/sky.glsl"
 
-const ivec2 squares = ivec2(40, 24);  // in the window: see sky.cpp
+uniform vec2 squares;  // across and up the window
 
 out vec3 sight;     // world space
 out vec3 radiance;  // of the sky
@@ -15,8 +15,9 @@ void main()
     // Two triangles each: corners 0 1 2, 2 1 3.
     int square = gl_VertexID / 6, corner = gl_VertexID % 6;
     corner = corner < 3 ? corner : corner == 3 ? 2 : corner == 4 ? 1 : 3;
-    ivec2 place = ivec2(square % squares.x, square / squares.x) + ivec2(corner & 1, corner >> 1);
-    gl_Position = vec4(2.0 * vec2(place) / vec2(squares) - 1.0, 1.0, 1.0);
+    int across = int(squares.x);
+    ivec2 place = ivec2(square % across, square / across) + ivec2(corner & 1, corner >> 1);
+    gl_Position = vec4(2.0 * vec2(place) / squares - 1.0, 1.0, 1.0);
     // In eye space.
     vec3 ahead = vec3(gl_Position.xy / vec2(camera.projection[0][0], camera.projection[1][1]), -1.0);
     sight = transpose(mat3(camera.view)) * ahead;

@@ -2,14 +2,15 @@
 // How finely each edge of a triangle is divided: only where snow bends it, and only as far as it shows.
 
 #include "step06_accumulation/winter/camera/camera.glsl"
+#include "step06_accumulation/winter/surface/corner.glsl"
 #include "step06_accumulation/winter/surface/smooth_depth.glsl"
 
 layout(vertices = 3) out;
 
 uniform float fine_enough;  // m, length of an edge that stays as it is
 
-in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } corner[];
-out Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } control[];
+in Corner corner[];
+out Corner control[];
 
 // Depth of the snow in the column at `point`, m.
 float roughly(vec3 point)
@@ -56,13 +57,7 @@ bool out_of_sight()
 
 void main()
 {
-    control[gl_InvocationID].position = corner[gl_InvocationID].position;
-    control[gl_InvocationID].normal = corner[gl_InvocationID].normal;
-    control[gl_InvocationID].colour = corner[gl_InvocationID].colour;
-    control[gl_InvocationID].uv = corner[gl_InvocationID].uv;
-    control[gl_InvocationID].lift = corner[gl_InvocationID].lift;
-    control[gl_InvocationID].skirt = corner[gl_InvocationID].skirt;
-    control[gl_InvocationID].even = corner[gl_InvocationID].even;
+    control[gl_InvocationID] = corner[gl_InvocationID];
     if (gl_InvocationID == 0 && out_of_sight()) {
         gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = 0.0;  // then there is no triangle
         gl_TessLevelInner[0] = 0.0;

@@ -5,7 +5,7 @@
 
 layout(triangles, fractional_odd_spacing, ccw) in;  // even spacing knows no level 1
 
-in Corner { vec3 position, normal, colour; vec2 uv; float lift, skirt; vec4 even; } control[];
+in Corner control[];
 
 void main()
 {
@@ -14,10 +14,13 @@ void main()
     precise vec3 position =
         part.x * control[0].position + part.y * control[1].position + part.z * control[2].position;
     precise vec4 even = part.x * control[0].even + part.y * control[1].even + part.z * control[2].even;
-    put_on_snow(position,
-                part.x * control[0].normal + part.y * control[1].normal + part.z * control[2].normal,
-                part.x * control[0].colour + part.y * control[1].colour + part.z * control[2].colour,
-                part.x * control[0].uv + part.y * control[1].uv + part.z * control[2].uv,
-                part.x * control[0].lift + part.y * control[1].lift + part.z * control[2].lift,
-                control[0].skirt, even);
+    Corner between;
+    between.position = position;
+    between.normal = part.x * control[0].normal + part.y * control[1].normal + part.z * control[2].normal;
+    between.colour = part.x * control[0].colour + part.y * control[1].colour + part.z * control[2].colour;
+    between.uv = part.x * control[0].uv + part.y * control[1].uv + part.z * control[2].uv;
+    between.lift = part.x * control[0].lift + part.y * control[1].lift + part.z * control[2].lift;
+    between.skirt = control[0].skirt;
+    between.even = even;
+    put_on_snow(between);
 }

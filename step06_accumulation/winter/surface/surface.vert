@@ -1,17 +1,10 @@
 #version 430 core
 // A vertex of the scene, lifted at once: the whole surface is no finer than the mesh.
 
+#include "step06_accumulation/winter/surface/corner_here.glsl"
 #include "step06_accumulation/winter/surface/surface.glsl"
-
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec3 colour;
-layout(location = 3) in vec2 uv;
-layout(location = 4) in float lift;
-layout(location = 5) in float skirt;
-layout(location = 6) in vec4 even;
 
 void main()
 {
-    put_on_snow(position, normal, colour, uv, lift, skirt, even);
+    put_on_snow(corner_here());
 }
