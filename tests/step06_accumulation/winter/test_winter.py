@@ -100,7 +100,7 @@ def test_no_complaint_from_opengl_whatever_is_switched(programs):
 
 
 def test_a_part_that_is_off_has_no_stage(programs, tmp_path):
-    """What is off costs nothing: its stage does not even appear among the times."""
+    """Not even a column among the times."""
     stages = {"settling": "settle", "melting": "melt", "shadow": "shadow", "scene": "scene", "sky": "sky",
               "lamp": "lamp", "arrows": "arrows", "bloom": "bloom"}
     header = {}
