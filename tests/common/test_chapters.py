@@ -22,7 +22,10 @@ def words(text):
 
 
 def sources(folder):
-    """Of a chapter: what is the winter's is not step 6's."""
+    """Of a chapter: what is the winter's is not step 6's. The README has none, and is no reason to walk through
+    all folders: that of a build may hold the Debian of another test, with its /proc."""
+    if folder == ".":
+        return []
     inside = [other for other in CHAPTERS if other.startswith(f"{folder}/")]
     beside = (ROOT / folder).with_suffix(".cpp")  # the winter's winter.cpp
     return [path for path in [beside, *sorted((ROOT / folder).rglob("*"))]
@@ -256,7 +259,6 @@ def test_pictures_are_shown_and_described(folder):
     assert {name for name in present if f"{folder}/{name}" not in code} <= set(shown.values())
 
 
-# Not of all under ROOT: the folder of a build may hold the Debian of another test, with its /proc.
 FIGURES = [str(path.relative_to(ROOT)) for top in ["common", *STEPS]
            for path in sorted((ROOT / top).rglob("figures/*.svg"))]
 
