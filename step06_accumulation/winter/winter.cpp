@@ -80,10 +80,10 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         arrows_.draw(computed_.wind, solid_, weather, tick);
     }
     frame_.end_edges();
-    if (daylight_.light().lamp_is_on > 0) {
+    if (daylight_.light().lamp_is_on > 0 && daylight_.light().extinction > 0) {
         const auto stage = window.stage("halo");
         frame_.detach_depth();
-        lamp_.draw_halo(daylight_.light(), frame_.depth());
+        lamp_.draw_halo(frame_.depth());
         frame_.attach_depth();
     }
     if (Flakes::sorted != 0) {

@@ -22,9 +22,8 @@ void Lamp::draw(const snow::Light& light, const SolidScene& solid)
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Lamp::draw_halo(const snow::Light& light, GLuint frame_depth)
+void Lamp::draw_halo(GLuint frame_depth)
 {
-    if (light.lamp_is_on == 0 || light.extinction == 0) return;
     halo_.use();
     halo_.set_texture("frame_depth", FRAME_DEPTH_UNIT, GL_TEXTURE_2D, frame_depth);
     glDisable(GL_DEPTH_TEST);

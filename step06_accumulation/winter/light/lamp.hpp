@@ -14,7 +14,7 @@ public:
     void draw(const snow::Light& light, const SolidScene& solid);
 
     // Adds its halo to the frame, whose depth this is.
-    void draw_halo(const snow::Light& light, GLuint frame_depth);
+    void draw_halo(GLuint frame_depth);
 
 private:
     Program program_, halo_;
