@@ -27,6 +27,15 @@ def assemble(name, seen):
 
 
 @pytest.mark.parametrize("shader", SHADERS)
+def test_no_smoothstep_runs_backwards(shader):
+    """It is undefined unless its first edge is less than the second (GLSL 4.30, 8.3), whatever a driver makes of it.
+    No compiler tells: only edges that are numbers are seen here."""
+    source = "\n".join(assemble(shader, set()))
+    edges = re.findall(r"smoothstep\(\s*(-?[\d.]+)f?\s*,\s*(-?[\d.]+)f?\s*,", source)
+    assert all(float(first) < float(second) for first, second in edges), edges
+
+
+@pytest.mark.parametrize("shader", SHADERS)
 def test_reference_compiler_accepts_it(shader, tmp_path):
     validator = shutil.which("glslangValidator")
     if validator is None:

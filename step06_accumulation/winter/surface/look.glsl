@@ -37,8 +37,8 @@ Look look_at_surface()
     const float hollow = 0.012;  // m, deepest
     vec3 lying = snow_of(texture(snow, (base_position - grid_origin) / (cell_size * float(resolution))));
     lying = mix(lying, vec3(min(camera.field_depth, deep), 0.0, 0.0), beyond);
-    // Nor does it hold everywhere on what is steep.
-    float slipping = deep * smoothstep(0.4, 0.1, normal.y);
+    // What is steep holds less.
+    float slipping = deep * (1.0 - smoothstep(0.1, 0.4, normal.y));
     float cover = is_behind ? 0.0 : smoothstep(0.0, 0.008, lying.x - hollow * fine.b - slipping);
     // What fills hollows is deeper in some places than in others, and yet level.
     vec3 snow_normal = normal / max(normal.y, 0.2) - (1.0 - evened) * vec3(lying.y, 0.0, lying.z);
