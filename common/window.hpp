@@ -58,7 +58,7 @@ public:
     glm::mat4 projection() const { return camera_.projection(size_); }
     glm::vec3 eye() const { return camera_.eye(); }
 
-    // Tells how high the scene stands, if that is more than the clouds and the tour are made for.
+    // Tells how high the scene stands, if that is more than the world and the tour are made for.
     void stand_on(const Terrain& terrain);
 
     // A line of the step's own for the panel, until it gives another.

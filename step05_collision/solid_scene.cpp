@@ -1,6 +1,5 @@
 #include "step05_collision/solid_scene.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -56,8 +55,8 @@ SolidScene::SolidScene(Window& window)
     if (window.options().metres) {
         ground = terrain_of(obstacle());
         window.stand_on(ground);
-        terrain_half_size = std::max(ground.half_size, 1.0f);
     }
+    terrain_half_size = ground.half_size;
     terrain = upload_terrain(ground);
 }
 

@@ -24,8 +24,8 @@ struct SolidScene {
     Scene drawn;                     // the scene, and the ground beside the obstacle
     SceneMesh mesh;                  // the same on the GPU
     ScenePictures pictures;          // on it
-    float terrain_half_size = 1;     // m, see terrain.glsl
-    GlObject terrain;
+    float terrain_half_size;         // m, see terrain.glsl
+    GlObject terrain;                // on the GPU
 };
 
 // Gives the program in use the grid's place in the world (grid.glsl), and with it its voxels

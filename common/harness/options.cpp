@@ -229,9 +229,10 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                    "NAME=VALUE, a number of the weather or of the step (list below)")
         ->allow_extra_args(false);
     if (lesson.has_scene) {
-        add_path("--scene", command.scene,
-                 "OBJ file to snow on, or none, or one that is built in: courtyard, or mountains, with "
-                 "--metres, --follow, and less snow, or nobody would see them (courtyard)");
+        add_path(
+            "--scene", command.scene,
+            "OBJ file to snow on, or none, or one that is built in: courtyard, or mountains, with "
+            "--metres, --follow, and less snow, or nobody would see them (courtyard)");
         add_path("--collision", command.collision,
                  "OBJ file to land on instead, in the scene's coordinates (the scene)");
         app.add_option("--up", up, "axis that points up in those files (y)")

@@ -8,18 +8,18 @@
 
 class Terrain {
 public:
-    float half_size = 0;  // m, from the middle to the edge
+    float half_size = 1;  // m, from the middle to the edge; at least 1
 
     // The square in which a place (x, z) lies, m, or the nearest.
     glm::ivec2 square(glm::vec2 place) const
     {
-        const glm::vec2 part = 0.5f + 0.5f * place / std::max(half_size, 1.0f);
+        const glm::vec2 part = 0.5f + 0.5f * place / half_size;
         return glm::clamp(glm::ivec2(glm::floor(part * float(squares))), 0, squares - 1);
     }
     // The corner of least x and z of a square, m.
     glm::vec2 corner(glm::ivec2 square) const
     {
-        return (2.0f * glm::vec2(square) / float(squares) - 1.0f) * std::max(half_size, 1.0f);
+        return (2.0f * glm::vec2(square) / float(squares) - 1.0f) * half_size;
     }
     void raise(glm::ivec2 square, float height)
     {

@@ -1,4 +1,4 @@
-// How high a scene stands, to the harness: it hangs the clouds above it, and flies over it.
+// How high a scene stands: clouds hang above it, and the tour flies over it.
 #pragma once
 
 #include "common/harness/terrain.hpp"

@@ -21,6 +21,8 @@ struct BytewiseLess {
     }
 };
 
+constexpr float least_upward = 0.1f;  // normal.y, as in scene.frag of step 6
+
 using Point = std::array<float, 3>;
 
 Point point_of(const Vertex& v)
@@ -42,7 +44,8 @@ void lift_less_where_steep(std::vector<SurfacePart>& parts)
     each([&](const SurfaceVertex& v) {
         if (v.skirt != 0) return;  // its normal points to the side
         float& most = lift[point_of(v.vertex)];
-        most = std::max(most, glm::smoothstep(0.1f, 0.4f, v.vertex.normal.y));  // as in look.glsl
+        // As in look.glsl.
+        most = std::max(most, glm::smoothstep(least_upward, 0.4f, v.vertex.normal.y));
     });
     each([&](SurfaceVertex& v) { v.lift *= lift[point_of(v.vertex)]; });
 }
@@ -52,7 +55,6 @@ void lift_less_where_steep(std::vector<SurfacePart>& parts)
 std::vector<SurfacePart> make_snow_surface(const Scene& scene, float fine_enough)
 {
     const float longest = std::max(1.0f, fine_enough);  // m
-    constexpr float least_upward = 0.1f;                // normal.y, as in scene.frag of step 6
     std::vector<SurfacePart> parts;
     const auto add = [&](const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
         const auto longer = [&](const SurfaceVertex& p, const SurfaceVertex& q) {

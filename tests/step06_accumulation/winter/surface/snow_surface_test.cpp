@@ -79,8 +79,8 @@ TEST(SnowSurface, IsNoFinerThanItsCellsAskFor)
     EXPECT_LE(double(parts[0].fine.size()) / 3, 0.5 * 400 * 400 / smallest);
 }
 
-// A gentle slope and a steep one below it. Along the edge that they share both go up with the snow alike, or
-// one would see between them.
+// A gentle slope and a steep one below it. Along the edge that they share both go up with the snow
+// alike, or one would see between them.
 TEST(SnowSurface, IsLiftedLessWhereItIsSteep)
 {
     Scene scene;
