@@ -8,9 +8,9 @@
 
 namespace {
 
-GlObject compile(const Shader& shader, std::string& all_sources)
+GlObject compile(const Shader& shader, const std::string& defines, std::string& all_sources)
 {
-    const ShaderSource source(shader.file);
+    const ShaderSource source(shader.file, defines);
     all_sources += source.text();
     GlObject id(glCreateShader(shader.type), [](GLuint name) { glDeleteShader(name); });
     const char* text = source.text().c_str();
@@ -28,11 +28,13 @@ GlObject compile(const Shader& shader, std::string& all_sources)
 
 }  // namespace
 
-Program::Program(const std::vector<Shader>& shaders, const std::vector<const char*>& varyings)
+Program::Program(const std::vector<Shader>& shaders, const std::vector<const char*>& varyings,
+                 const std::string& defines)
     : id_(glCreateProgram(), [](GLuint name) { glDeleteProgram(name); })
 {
     for (const Shader& shader : shaders) {
-        glAttachShader(id_, compile(shader, sources_));  // it lives as long as the program now
+        glAttachShader(id_,
+                       compile(shader, defines, sources_));  // it lives as long as the program now
         files_ += (files_.empty() ? "" : " + ") + shader.file;
     }
     if (!varyings.empty()) {

@@ -19,10 +19,12 @@ struct Shader {
 class Program {
 public:
     // Compiles and links. A line `#include "folder/file.glsl"` is replaced by that file. `varyings`
-    // are the outputs that transform feedback captures, interleaved. Throws std::runtime_error with
-    // file, line and the compiler's message.
+    // are the outputs that transform feedback captures, interleaved; `defines` are lines that every
+    // shader gets below its first. Throws std::runtime_error with file, line and the compiler's
+    // message.
     explicit Program(const std::vector<Shader>& shaders,
-                     const std::vector<const char*>& varyings = {});
+                     const std::vector<const char*>& varyings = {},
+                     const std::string& defines = {});
 
     void use() const { glUseProgram(id_); }
 

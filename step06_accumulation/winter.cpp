@@ -39,15 +39,12 @@ void run_winter(Window& window)
     Program update({{GL_VERTEX_SHADER, "step06_accumulation/winter/wind/update.vert"}},
                    {"position", "age", "velocity", "rest"});
 
-    const vec3 sky(0.30f, 0.34f, 0.42f);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
     glEnable(GL_POINT_SPRITE);        // and gl_PointCoord with it
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glClearColor(sky.r, sky.g, sky.b, 1.0f);
     while (window.begin_frame()) {
         glViewport(0, 0, window.size().x, window.size().y);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         weather_block.update(WEATHER_BLOCK, weather);
         winter.choose_flakes(window, particles);
         {

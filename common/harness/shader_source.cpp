@@ -47,9 +47,10 @@ bool speaks_of_an_error(const std::string& line)
 
 }  // namespace
 
-ShaderSource::ShaderSource(const std::string& file)
+ShaderSource::ShaderSource(const std::string& file, const std::string& defines)
 {
     assemble(file);
+    if (!defines.empty()) text_.insert(text_.find('\n') + 1, defines + line_directive(0, 2));
 }
 
 void ShaderSource::assemble(const std::string& file)

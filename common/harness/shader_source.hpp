@@ -7,8 +7,9 @@
 class ShaderSource {
 public:
     // Reads `file`, relative to the source tree, and what it includes: each file once, where a line
-    // `#include "folder/file"` first asks for it. Throws std::runtime_error.
-    explicit ShaderSource(const std::string& file);
+    // `#include "folder/file"` first asks for it. `defines` are lines to stand below the first,
+    // which tells the version. Throws std::runtime_error.
+    explicit ShaderSource(const std::string& file, const std::string& defines = {});
 
     const std::string& text() const { return text_; }
 

@@ -53,16 +53,19 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         const auto stage = window.stage("smooth");
         smooth_snow_.update(tick, window.ticks());
     }
-    const auto set_light = [this](Program& program) {
+    const auto use_lit = [this](LitProgram& lit) -> Program& {
+        Program& program = lit.for_light(daylight_.light());
+        program.use();
         program.set_texture("shadow_map", SHADOW_UNIT, GL_TEXTURE_2D, shadow_map_.texture());
         program.set_texture("sky_seen", SKY_SEEN_UNIT, GL_TEXTURE_3D,
                             computed_.occlusion.texture());
+        return program;
     };
     const glm::vec3 without_sky(0.10f, 0.13f, 0.20f);
     frame_.begin(window.size(), without_sky);
     if (SnowSurface::scene != 0) {
         const auto stage = window.stage("scene");
-        surface_.draw(weather, solid_.pictures, set_light, [this](Program& program) {
+        surface_.draw(weather, solid_.pictures, use_lit, [this](Program& program) {
             columns_.set_depth(program);
             program.set_texture("snow", SNOW_UNIT, GL_TEXTURE_3D, smooth_snow_.texture());
         });
@@ -93,7 +96,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
     {
         const auto stage = window.stage("draw");
         glBindVertexArray(particles.vao());
-        flakes_.draw(window, set_light, [this] {
+        flakes_.draw(window, use_lit, [this] {
             if (Flakes::sorted != 0) return depth_order_.draw();
             for (const Range& half : live_) glDrawArrays(GL_POINTS, half.first, half.count);
         });

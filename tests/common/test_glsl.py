@@ -40,7 +40,11 @@ def test_reference_compiler_accepts_it(shader, tmp_path):
     validator = shutil.which("glslangValidator")
     if validator is None:
         pytest.skip("there is no glslangValidator (glslang-tools)")
+    version, *lines = assemble(shader, set())
     path = tmp_path / shader.rpartition("/")[2]
-    path.write_text("\n".join(assemble(shader, set())) + "\n")
-    result = subprocess.run([validator, path], capture_output=True, text=True, check=False)
-    assert result.returncode == 0, result.stdout
+    # With nothing that lines may depend on, and with all of it.
+    parts = set(re.findall(r"#ifdef ([A-Z]\w+)", "\n".join(lines)))
+    for defines in [], [f"#define {part}" for part in parts]:
+        path.write_text("\n".join([version, *defines, *lines]) + "\n")
+        result = subprocess.run([validator, path], capture_output=True, text=True, check=False)
+        assert result.returncode == 0, result.stdout

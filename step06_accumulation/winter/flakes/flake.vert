@@ -26,19 +26,22 @@ flake;
 // cell of sky_seen will do.
 vec3 light_on_flake(vec3 position)
 {
-    const vec3 up = vec3(0.0, 1.0, 0.0);
+    Place place = place_of(position, vec3(0.0, 1.0, 0.0));
     float seen = 0.5;
-    if (light.has_occlusion != 0.0) {
-        ivec3 cell = ivec3((position - light.grid_corner) / cell_of_sky() + up);
-        bool inside = all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, textureSize(sky_seen, 0)));
-        if (inside) seen = 0.5 * texelFetch(sky_seen, cell, 0).a;
-    }
+#ifdef OCCLUSION
+    ivec3 cells = textureSize(sky_seen, 0), cell = ivec3(place.in_grid * vec3(cells) + vec3(0.0, 1.0, 0.0));
+    bool inside = all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, cells));
+    if (inside) seen = 0.5 * texelFetch(sky_seen, cell, 0).a;
+#endif
     vec3 result = seen * (light.sky + light.ground);
     vec3 way = position - camera.eye;
     float part = 0.5 + glow(way / max(length(way), 0.001));
-    result += part * sunlight_at(position + 0.03 * up) * light.sun;
+    result += part * sunlight_at(place) * light.sun;
+#ifdef LAMP
     vec3 to_lamp = light.lamp_position - position;
-    return result + 0.5 * light.lamp / max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
+    result += 0.5 * light.lamp / max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
+#endif
+    return result;
 }
 
 // A colour for each number from 0 to 1: from blue by green and yellow to red.

@@ -31,15 +31,14 @@ std::vector<snow::Parameter> Flakes::parameters()
     };
 }
 
-void Flakes::draw(const Window& window, const std::function<void(Program&)>& set_light,
+void Flakes::draw(const Window& window, const UseLit& use_lit,
                   const std::function<void()>& draw_points)
 {
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
     if (billboards != 0) {
-        const auto draw_with = [&](Program& program) {
-            program.use();
-            set_light(program);
+        const auto draw_with = [&](LitProgram& lit) {
+            Program& program = use_lit(lit);
             program.set("blur", blur != 0 ? 1 : 0);
             program.set("colours", int(std::lround(colours)));
             program.set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals_);

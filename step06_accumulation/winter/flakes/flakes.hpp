@@ -7,6 +7,7 @@
 
 #include "common/program.hpp"
 #include "common/window.hpp"
+#include "step06_accumulation/winter/light/lit_program.hpp"
 
 class Flakes {
 public:
@@ -16,12 +17,12 @@ public:
     inline static float billboards = 1, splashes = 1, blur = 1, sorted = 0;  // switches
     inline static float colours = 0;  // 0 their own, 1 by speed, 2 by age, 3 by emitter
 
-    // Draws what draw_points draws as points, a flake each. set_light gives a program in use the
-    // textures of light.glsl.
-    void draw(const Window& window, const std::function<void(Program&)>& set_light,
+    // Draws what draw_points draws as points, a flake each.
+    void draw(const Window& window, const UseLit& use_lit,
               const std::function<void()>& draw_points);
 
 private:
-    Program billboard_, splash_, sprite_;
+    LitProgram billboard_, splash_;
+    Program sprite_;
     GlObject crystals_;
 };

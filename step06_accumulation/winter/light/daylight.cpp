@@ -73,7 +73,8 @@ float extinction(const snow::Weather& weather, float seconds)
 Daylight::Daylight(const SolidScene& solid)
 {
     for (const Vertex& vertex : solid.scene.vertices) {
-        reach_ = std::max(reach_, glm::length(vertex.position));
+        lowest_ = glm::min(lowest_, vertex.position);
+        highest_ = glm::max(highest_, vertex.position);
     }
     light_.grid_corner = solid.grid.origin;
     light_.grid_size = solid.grid.cell_size * float(solid.grid.resolution);
@@ -154,8 +155,18 @@ void Daylight::update(const snow::Weather& weather, unsigned tick)
     light_.lamp_is_on = has_lamp ? 1 - smoothstep(0.0f, 4.0f, sun_height) : 0.0f;
     light_.lamp = light_.lamp_is_on * lamp_light_;
 
+    // The shadow map shows no more than the box around the scene.
     const glm::mat4 view = glm::lookAt(light_.to_sun, vec3(0), {0, 1, 0});
-    light_.to_shadow_map = glm::ortho(-reach_, reach_, -reach_, reach_, -reach_, reach_) * view;
+    vec3 low(view * glm::vec4(lowest_, 1)), high = low;
+    for (int corner = 1; corner < 8; ++corner) {
+        const vec3 place((corner & 1) != 0 ? highest_.x : lowest_.x,
+                         (corner & 2) != 0 ? highest_.y : lowest_.y,
+                         (corner & 4) != 0 ? highest_.z : lowest_.z);
+        const vec3 seen(view * glm::vec4(place, 1));
+        low = glm::min(low, seen);
+        high = glm::max(high, seen);
+    }
+    light_.to_shadow_map = glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z) * view;
 
     block_.update(LIGHT_BLOCK, light_);
 }

@@ -30,6 +30,6 @@ public:
 private:
     UniformBlock<snow::Light> block_;
     snow::Light light_{};
-    float reach_ = 1;         // m, of the scene from the world's origin
-    glm::vec3 lamp_light_{};  // of the lamp that the scene has, when it is on
+    glm::vec3 lowest_{-1}, highest_{1};  // m, corners of a box around the scene
+    glm::vec3 lamp_light_{};             // of the lamp that the scene has, when it is on
 };

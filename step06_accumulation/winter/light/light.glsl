@@ -1,6 +1,7 @@
 // The light of a winter's day, and what it makes of surfaces and flakes. `struct Light` is GLSL and C++, like
 // CameraView. All colours are linear. Light is measured by what it makes of a white surface that faces it: 1 is
-// white paper in a bright room, snow in the sun is brighter.
+// white paper in a bright room, snow in the sun is brighter. SHADOW, OCCLUSION and LAMP are defined if there is
+// such a thing: see lit_program.hpp.
 
 struct Light {
     mat4 to_shadow_map;     // world space to the clip space in which the shadow map was drawn
@@ -36,58 +37,80 @@ layout(std140, binding = LIGHT_BLOCK) uniform LightBlock
 uniform sampler2DShadow shadow_map;
 uniform sampler3D sky_seen;  // see ambient_occlusion.cpp
 
+// A point, and where it is found in what light is looked up in. All change evenly along a line, so vertices
+// compute them.
+struct Place {
+    vec3 world;          // m
+    vec3 in_grid;        // 0 to 1 across the cube in which the scene stands
+    vec3 in_shadow_map;  // 0 to 1
+};
+
+// Of a point on a surface. normal: length 1, on either side.
+Place place_of(vec3 position, vec3 normal)
+{
+    // Beside it, where the sun is: out of its own shadow.
+    vec3 beside = position + 0.03 * faceforward(normal, -light.to_sun, normal);
+    vec3 as_drawn = (light.to_shadow_map * vec4(beside, 1.0)).xyz;
+    return Place(position, (position - light.grid_corner) / light.grid_size, 0.5 + 0.5 * as_drawn);
+}
+
 // How much of the sun reaches this point: 0 in shadow, 1 in the sun. The lookup compares with texels around and
 // blends the results (percentage closer filtering: Reeves, Salesin and Cook, "Rendering antialiased shadows
 // with depth maps", 1987).
-float sunlight_at(vec3 position)
+float sunlight_at(Place place)
 {
-    if (light.has_shadow == 0.0) return 1.0;
-    return texture(shadow_map, 0.5 + 0.5 * (light.to_shadow_map * vec4(position, 1.0)).xyz);
+#ifdef SHADOW
+    return texture(shadow_map, place.in_shadow_map);
+#else
+    return 1.0;
+#endif
 }
 
-// Size of the cells of sky_seen, m.
-float cell_of_sky()
+// How much of the sky is seen from a surface with this normal: on it falls w + dot(xyz, normal) of the light
+// that the whole sky sends to one that faces up.
+vec4 sky_seen_from(Place place, vec3 normal)
 {
-    return light.grid_size / float(textureSize(sky_seen, 0).x);
-}
-
-// How much of the sky is seen from here: on a surface that faces n falls w + dot(xyz, n) of the light that
-// the whole sky sends to one that faces up.
-vec4 sky_seen_from(vec3 position)
-{
-    if (light.has_occlusion == 0.0) return vec4(0.0, 0.5, 0.0, 0.5);
-    vec4 texel = texture(sky_seen, (position - light.grid_corner) / light.grid_size);
+#ifdef OCCLUSION
+    vec3 beside = normal / float(textureSize(sky_seen, 0).x);  // the cell that holds the surface
+    vec4 texel = texture(sky_seen, place.in_grid + beside);
     return vec4(texel.rgb - 0.5, 0.5 * texel.a);
+#else
+    return vec4(0.0, 0.5, 0.0, 0.5);
+#endif
 }
 
 // Light from everywhere but the sun and the lamp. What is not sky is ground, or walls, which are lit as well
 // as the sky is seen from here.
-vec3 ambient_light(vec3 normal, vec3 position)
+vec3 ambient_light(vec3 normal, Place place)
 {
-    vec4 seen = sky_seen_from(position + cell_of_sky() * normal);  // beside the cell that holds the surface
+    vec4 seen = sky_seen_from(place, normal);
     float part = clamp(seen.w + dot(seen.xyz, normal), 0.0, 1.0);
     return mix(min(2.0 * seen.w, 1.0) * light.ground, light.sky, part);
 }
 
 // Light of the lamp on a surface. normal: length 1.
-vec3 lamp_light(vec3 normal, vec3 position)
+vec3 lamp_light(vec3 normal, Place place)
 {
-    vec3 to_lamp = light.lamp_position - position;
+#ifdef LAMP
+    vec3 to_lamp = light.lamp_position - place.world;
     float nearness = inversesqrt(max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius));
     return light.lamp * max(dot(normal, to_lamp), 0.0) * nearness * nearness * nearness;
+#else
+    return vec3(0.0);
+#endif
 }
 
 // Light of sun and lamp on a surface. sunlight: the part of the sun's light that gets here. around: how far
 // light gets within, so that the sun reaches a little beyond where it grazes.
-vec3 direct_light(vec3 normal, vec3 position, float sunlight, float around)
+vec3 direct_light(vec3 normal, Place place, float sunlight, float around)
 {
     float facing = max((dot(normal, light.to_sun) + around) / (1.0 + around), 0.0);
-    return facing * sunlight * light.sun + lamp_light(normal, position);
+    return facing * sunlight * light.sun + lamp_light(normal, place);
 }
 
 // What is seen of a dull surface of this colour, from any side. normal: length 1.
-vec3 lit(vec3 colour, vec3 normal, vec3 position, float sunlight, float around)
+vec3 lit(vec3 colour, vec3 normal, Place place, float sunlight, float around)
 {
-    return colour * (ambient_light(normal, position) + direct_light(normal, position, sunlight, around));
+    return colour * (ambient_light(normal, place) + direct_light(normal, place, sunlight, around));
 }
 #endif

@@ -1,8 +1,15 @@
 #include "step06_accumulation/winter/light/shadow_map.hpp"
 
+#include "common/harness/driver.hpp"
+
 namespace {
 
-constexpr GLsizei texels = 2048;  // along each edge
+// Along each edge. In software, lookups in a map that does not fit into the processor's cache cost
+// as much as all the rest of the sunlight.
+GLsizei texels()
+{
+    return renders_in_software() ? 1024 : 2048;
+}
 
 }  // namespace
 
@@ -11,8 +18,8 @@ ShadowMap::ShadowMap()
       program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/light/shadow.vert"}})
 {
     glBindTexture(GL_TEXTURE_2D, depth_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, texels, texels, 0, GL_DEPTH_COMPONENT,
-                 GL_UNSIGNED_INT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels(), texels(), 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_SHORT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     // Beside the map there is no scene and no shadow.
     const float farthest[4] = {1, 1, 1, 1};
@@ -43,7 +50,7 @@ void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ive
     if (light.to_sun == drawn_for_) return;
     drawn_for_ = light.to_sun;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glViewport(0, 0, texels, texels);
+    glViewport(0, 0, texels(), texels());
     glClear(GL_DEPTH_BUFFER_BIT);
     // A texel is as deep as its middle: push all surfaces back by as much as they fall off in a
     // texel, or they would shadow themselves in stripes.

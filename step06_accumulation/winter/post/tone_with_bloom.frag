@@ -13,5 +13,5 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 radiance = texelFetch(frame, pixel, 0).rgb;
     vec3 spread = texture(glow, gl_FragCoord.xy / vec2(textureSize(frame, 0))).rgb;
-    colour = vec4(for_screen(answer_to(mix(radiance, spread, part))), 1.0);
+    colour = vec4(for_screen(mix(radiance, spread, part)), 1.0);
 }

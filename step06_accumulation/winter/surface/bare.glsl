@@ -3,10 +3,10 @@
 #include "step05_collision/picture.glsl"
 #include "step06_accumulation/winter/light/light.glsl"
 
-in vec3 world_position;  // m
+in Place place;
 in vec3 world_normal;
 in vec3 base_colour;
-in vec4 air;             // see air.glsl
+in vec4 air;  // see air.glsl
 
 // Towards the viewer, length 1.
 vec3 normal_here()
@@ -17,6 +17,5 @@ vec3 normal_here()
 // What arrives at the eye of a surface of this colour.
 vec4 as_seen(vec3 surface, vec3 normal)
 {
-    float sunlight = sunlight_at(world_position + 0.03 * normal);  // beside it, out of its own shadow
-    return vec4(air.rgb + air.a * lit(surface, normal, world_position, sunlight, 0.0), 1.0);
+    return vec4(air.rgb + air.a * lit(surface, normal, place, sunlight_at(place), 0.0), 1.0);
 }

@@ -8,7 +8,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 uv;
 
-out vec3 world_position;  // m
+out Place place;
 out vec3 world_normal;
 out vec3 base_colour;
 out vec2 picture_uv;
@@ -16,7 +16,7 @@ out vec4 air;
 
 void main()
 {
-    world_position = position;
+    place = place_of(position, normal);
     world_normal = normal;
     base_colour = colour;
     picture_uv = uv;

@@ -19,11 +19,11 @@ float dust(vec3 normal)
     const float most = 0.45;      // hidden
     float against = -dot(normal, weather.wind) / strong;
     // 1: half of the sky is open.
-    float open = min(4.0 * sky_seen_from(world_position + cell_of_sky() * normal).w, 1.0);
+    float open = min(4.0 * sky_seen_from(place, normal).w, 1.0);
     float amount = most * clamp(against, 0.0, 1.0) * open * open *
                    smoothstep(0.0, much, camera.field_depth);
-    vec2 place = vec2(world_position.x + world_position.z, world_position.y) / grain_size;
-    return smoothstep(-0.15, 0.15, amount - texture(grain, place).b) * step(0.001, amount);
+    vec2 along = vec2(place.world.x + place.world.z, place.world.y) / grain_size;
+    return smoothstep(-0.15, 0.15, amount - texture(grain, along).b) * step(0.001, amount);
 }
 
 void main()

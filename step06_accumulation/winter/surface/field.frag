@@ -6,8 +6,8 @@
 
 uniform vec3 ground_colour;
 
-in vec3 world_position;  // m
-in vec4 air;             // see air.glsl
+in Place place;
+in vec4 air;  // see air.glsl
 
 out vec4 colour;
 
@@ -15,7 +15,6 @@ void main()
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);
     float cover = smoothstep(0.0, 0.02, camera.field_depth);
-    float sunlight = sunlight_at(world_position + 0.03 * up);
-    vec3 light_here = light.sky + direct_light(up, world_position, sunlight, light_within * cover);
+    vec3 light_here = light.sky + direct_light(up, place, sunlight_at(place), light_within * cover);
     colour = vec4(air.rgb + air.a * mix(ground_colour, snow_colour, cover) * light_here, 1.0);
 }

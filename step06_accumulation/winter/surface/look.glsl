@@ -1,7 +1,6 @@
 // What a surface of the scene looks like, under as much snow as lies on it.
 
 #include "step05_collision/picture.glsl"
-#include "step05_collision/grid.glsl"
 #include "step06_accumulation/winter/light/light.glsl"
 #include "step06_accumulation/winter/surface/snow_colour.glsl"
 #include "step06_accumulation/winter/surface/snow_texture.glsl"
@@ -10,8 +9,8 @@ uniform sampler3D snow;      // see smooth.comp
 uniform sampler2D grain;     // see grain.hpp
 uniform float grain_size;    // m, after which it repeats
 
-in vec3 base_position;       // m, of the scene without snow
-in vec3 world_position;      // m, on top of the snow
+in Place place;              // on top of the snow
+in float base;               // height of the scene below that, 0 to 1 across the grid
 in vec3 base_normal;         // of the scene without snow
 in vec3 base_colour;
 in float is_skirt;           // 1: the side of the snow, where the surface it lies on ends
@@ -32,10 +31,10 @@ Look look_at_surface()
     vec3 surface = with_picture(base_colour);
     bool is_behind = is_skirt == 0.0 && !gl_FrontFacing;
     vec3 normal = normalize(is_behind ? -base_normal : base_normal);
-    vec4 fine = texture(grain, base_position.xz / grain_size);
+    vec4 fine = texture(grain, place.world.xz / grain_size);
     // The first flakes fill the small hollows of the surface.
     const float hollow = 0.012;  // m, deepest
-    vec3 lying = snow_of(texture(snow, (base_position - grid_origin) / (cell_size * float(resolution))));
+    vec3 lying = snow_of(texture(snow, vec3(place.in_grid.x, base, place.in_grid.z)));
     lying = mix(lying, vec3(min(camera.field_depth, deep), 0.0, 0.0), beyond);
     // What is steep holds less.
     float slipping = deep * (1.0 - smoothstep(0.1, 0.4, normal.y));
@@ -51,16 +50,16 @@ Look look_at_surface()
     look.cover = cover;
     look.normal = normalize(mix(normal, normalize(snow_normal), cover));
     look.colour = mix(surface, snow_colour, cover);
-    look.sunlight = sunlight_at(world_position + 0.03 * normal);  // beside it, out of its own shadow
+    look.sunlight = sunlight_at(place);
     return look;
 }
 
 // The light that it sends to the eye. Snow shines broadly where it mirrors the sun.
 vec3 light_from(Look look)
 {
-    vec3 halfway = normalize(light.to_sun + normalize(camera.eye - world_position));
+    vec3 halfway = normalize(light.to_sun + normalize(camera.eye - place.world));
     float shine = max(dot(look.normal, halfway), 0.0);
     shine *= shine, shine *= shine, shine *= shine;  // to the 8th
-    return lit(look.colour, look.normal, world_position, look.sunlight, light_within * look.cover) +
+    return lit(look.colour, look.normal, place, look.sunlight, light_within * look.cover) +
            0.1 * look.cover * shine * look.sunlight * light.sun;
 }

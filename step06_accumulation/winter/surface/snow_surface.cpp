@@ -231,12 +231,12 @@ std::vector<snow::Parameter> SnowSurface::parameters()
 SnowSurface::Programs SnowSurface::programs_with(const std::string& fragment_shader)
 {
     const std::string folder = "step06_accumulation/winter/surface/";
-    return {Program({{GL_VERTEX_SHADER, folder + "surface.vert"},
-                     {GL_FRAGMENT_SHADER, folder + fragment_shader}}),
-            Program({{GL_VERTEX_SHADER, folder + "surface_patch.vert"},
-                     {GL_TESS_CONTROL_SHADER, folder + "surface.tesc"},
-                     {GL_TESS_EVALUATION_SHADER, folder + "surface.tese"},
-                     {GL_FRAGMENT_SHADER, folder + fragment_shader}})};
+    return {LitProgram({{GL_VERTEX_SHADER, folder + "surface.vert"},
+                        {GL_FRAGMENT_SHADER, folder + fragment_shader}}),
+            LitProgram({{GL_VERTEX_SHADER, folder + "surface_patch.vert"},
+                        {GL_TESS_CONTROL_SHADER, folder + "surface.tesc"},
+                        {GL_TESS_EVALUATION_SHADER, folder + "surface.tese"},
+                        {GL_FRAGMENT_SHADER, folder + fragment_shader}})};
 }
 
 void SnowSurface::draw(GLenum mode, const std::vector<Part>& parts, Program& program,
@@ -251,40 +251,35 @@ void SnowSurface::draw(GLenum mode, const std::vector<Part>& parts, Program& pro
 }
 
 void SnowSurface::draw(const snow::Weather& weather, const ScenePictures& pictures,
-                       const std::function<void(Program&)>& set_light,
-                       const std::function<void(Program&)>& set_snow)
+                       const UseLit& use_lit, const std::function<void(Program&)>& set_snow)
 {
     glBindVertexArray(vao_);
-    const auto use = [&](Program& program) {
-        program.use();
-        set_light(program);
-    };
     const auto set_grain = [this](Program& program) {
         program.set("grain_size", 1.28f);
         program.set_texture("grain", GRAIN_UNIT, GL_TEXTURE_2D, grain_);
     };
-    const auto use_on_snow = [&](Program& program) {
-        use(program);
+    const auto use_on_snow = [&](LitProgram& lit) -> Program& {
+        Program& program = use_lit(lit);
         set_snow(program);
         set_grain(program);
+        return program;
     };
     const bool dusted = dusting != 0 && weather.wind != glm::vec3(0);
-    Program& on_walls = dusted ? on_dusted_ : on_bare_;
-    use(on_walls);
+    Program& on_walls = use_lit(dusted ? on_dusted_ : on_bare_);
     if (dusted) set_grain(on_walls);
     draw(GL_TRIANGLES, bare_, on_walls, &pictures);
-    Programs& on_snow = sparkle != 0 ? sparkling_ : plain_;
-    use_on_snow(on_snow.as_is);
-    draw(GL_TRIANGLES, fine_, on_snow.as_is, &pictures);
+    Programs& programs = sparkle != 0 ? sparkling_ : plain_;
+    Program& on_snow = use_on_snow(programs.as_is);
+    draw(GL_TRIANGLES, fine_, on_snow, &pictures);
     if (tessellation != 0) {
-        use_on_snow(on_snow.tessellated);
-        on_snow.tessellated.set("fine_enough", fine_enough_);
+        Program& tessellated = use_on_snow(programs.tessellated);
+        tessellated.set("fine_enough", fine_enough_);
         glPatchParameteri(GL_PATCH_VERTICES, 3);
-        draw(GL_PATCHES, coarse_, on_snow.tessellated, &pictures);
+        draw(GL_PATCHES, coarse_, tessellated, &pictures);
     } else {
-        draw(GL_TRIANGLES, coarse_, on_snow.as_is, &pictures);
+        draw(GL_TRIANGLES, coarse_, on_snow, &pictures);
     }
-    use(on_field_);
-    on_field_.set("ground_colour", ground_colour);
-    draw(GL_TRIANGLES, field_, on_field_);
+    Program& on_field = use_lit(on_field_);
+    on_field.set("ground_colour", ground_colour);
+    draw(GL_TRIANGLES, field_, on_field);
 }

@@ -9,6 +9,7 @@
 #include "common/scene/scene.hpp"
 #include "common/weather.hpp"
 #include "step05_collision/solid_scene.hpp"
+#include "step06_accumulation/winter/light/lit_program.hpp"
 
 struct SurfaceVertex {
     Vertex vertex;
@@ -45,9 +46,8 @@ public:
     static std::vector<snow::Parameter> parameters();
     inline static float scene = 1, tessellation = 1, dusting = 1, sparkle = 1;  // switches
 
-    // set_light gives a program in use the textures of light.glsl, set_snow those of the snow.
-    void draw(const snow::Weather& weather, const ScenePictures& pictures,
-              const std::function<void(Program&)>& set_light,
+    // set_snow gives a program in use the textures of the snow.
+    void draw(const snow::Weather& weather, const ScenePictures& pictures, const UseLit& use_lit,
               const std::function<void(Program&)>& set_snow);
 
 private:
@@ -57,7 +57,7 @@ private:
         GLsizei count;
     };
     struct Programs {  // for surfaces that snow can lie on
-        Program as_is, tessellated;
+        LitProgram as_is, tessellated;
     };
     static Programs programs_with(const std::string& fragment_shader);
     static void draw(GLenum mode, const std::vector<Part>& parts, Program& program,
@@ -65,7 +65,7 @@ private:
 
     GlObject vertices_, indices_, vao_;
     std::vector<Part> bare_, fine_, coarse_, field_;
-    Program on_bare_, on_dusted_, on_field_;
+    LitProgram on_bare_, on_dusted_, on_field_;
     Programs plain_, sparkling_;
     GlObject grain_;
     float fine_enough_;  // m

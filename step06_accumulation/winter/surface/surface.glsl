@@ -7,8 +7,8 @@
 
 invariant gl_Position;  // tessellated or not, along an edge that both kinds of triangles share
 
-out vec3 base_position;  // see look.glsl
-out vec3 world_position;
+out Place place;     // see look.glsl
+out float base;
 out vec3 base_normal;
 out vec3 base_colour;
 out vec2 picture_uv;
@@ -24,16 +24,17 @@ void put_on_snow(Corner corner)
     vec2 outside = abs(corner.position.xz - grid_origin.xz - half_size) - half_size;
     float away = max(outside.x, outside.y);  // from the edge of the grid
     beyond = smoothstep(0.0, margin, away);
-    base_position = corner.position;
-    world_position = corner.position;
+    base = (corner.position.y - light.grid_corner.y) / light.grid_size;
     // Snow cannot slide out of the grid, and would pile up at a wall on its edge: drawn is what would be left
     // if it could.
     float most = camera.field_depth + tan(radians(weather.repose)) * max(-away, 0.0);
     float depth = min(mix(snow_at(corner.position).x, camera.field_depth, beyond), most);
     const float filling = 0.3;  // m of snow that fill all hollows
     float filled = corner.lift * smoothstep(0.0, filling, depth);
+    vec3 world_position = corner.position;
     world_position.y += corner.lift * depth + filled * corner.even.w;
     base_normal = corner.skirt > 0.0 ? corner.normal : mix(corner.normal, corner.even.xyz, filled);
+    place = place_of(world_position, base_normal);
     evened = filled * smoothstep(0.0, 0.05, distance(corner.normal, corner.even.xyz));
     base_colour = corner.colour;
     picture_uv = corner.uv;

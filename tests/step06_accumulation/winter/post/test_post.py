@@ -44,6 +44,16 @@ def test_bright_things_glow(draw):
     assert abs(gain[away > 120].mean()) < 3
 
 
+@pytest.mark.parametrize("exposure", [0.1, 0.3, 1, 3, 10])
+def test_the_screen_shows_what_an_eye_answers(draw, exposure):
+    """The curve and the screen's numbers, as exact as tone.glsl says, and half a level for rounding."""
+    shown = draw("--set", "scene=0", "--set", "sky=0", "--set", "bloom=0", "--set", f"exposure={exposure}")
+    light = exposure * numpy.array([0.10, 0.13, 0.20])  # where there is no sky; see winter.cpp
+    answer = (light / 0.65) ** 1.25 / (1 + (light / 0.65) ** 1.25)
+    expected = 255 * numpy.where(answer < 0.0031308, 12.92 * answer, 1.055 * answer ** (1 / 2.4) - 0.055)
+    assert (abs(shown - expected) <= 3.3 + 0.5).all()
+
+
 @pytest.mark.parametrize("size", ["1x1", "3x200", "321x181"])
 def test_glow_at_any_size(draw, size):
     """Also where half of a size is no whole number, or nothing."""
