@@ -1,5 +1,14 @@
 #include "step06_accumulation/winter/light/lit_program.hpp"
 
+#include <utility>
+
+LitProgram::LitProgram(std::vector<Shader> shaders) : shaders_(std::move(shaders))
+{
+    snow::Light all{};
+    all.has_shadow = all.has_occlusion = all.lamp_is_on = 1;
+    for_light(all);
+}
+
 Program& LitProgram::for_light(const snow::Light& light)
 {
     std::string parts;

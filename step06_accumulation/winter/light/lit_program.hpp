@@ -11,7 +11,9 @@
 
 class LitProgram {
 public:
-    explicit LitProgram(std::vector<Shader> shaders) : shaders_(std::move(shaders)) {}
+    // Compiles the program for all that there can be, so that a fault is told at once. Throws as
+    // Program does.
+    explicit LitProgram(std::vector<Shader> shaders);
 
     // The program for this light, compiled when it is first asked for: of what is off it has not a
     // line, so that costs nothing.
