@@ -120,6 +120,14 @@ void check_record_folder(const std::filesystem::path& folder)
     }
 }
 
+void check_scene(const std::filesystem::path& scene)
+{
+    std::error_code error;  // whatever it is, the file is not there
+    if (scene == "none" || std::filesystem::exists(scene, error)) return;
+    throw std::runtime_error("cannot read " + scene.string() +
+                             ": no such file, nor one of the scenes courtyard, mountains and none");
+}
+
 void check_voxels(int voxels)
 {
     const bool fits = voxels >= 32 && voxels <= 1024;
@@ -329,6 +337,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     if (lesson.has_scene && (command.scene.empty() || command.scene == "courtyard")) {
         command.scene = find_file("common/assets/courtyard.obj");
     }
+    if (lesson.has_scene) check_scene(command.scene);
     for (const auto& output : {command.screenshot, command.dump, command.dump_cover, command.csv}) {
         if (!output.empty()) check_writable(output);
     }

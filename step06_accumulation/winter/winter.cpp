@@ -70,7 +70,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
             program.set_texture("snow", SNOW_UNIT, GL_TEXTURE_3D, smooth_snow_.texture());
         });
     }
-    if (Daylight::lamp != 0 && SnowSurface::scene != 0) {
+    if (daylight_.light().lamp_is_on > 0 && SnowSurface::scene != 0) {
         const auto stage = window.stage("lamp");
         lamp_.draw(daylight_.light(), solid_);
     }

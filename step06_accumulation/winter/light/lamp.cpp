@@ -9,7 +9,6 @@ Lamp::Lamp()
 
 void Lamp::draw(const snow::Light& light, const SolidScene& solid)
 {
-    if (light.lamp_is_on == 0) return;
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1, -1);  // a little nearer: the two must not fight over pixels
     program_.use();

@@ -69,6 +69,13 @@ def test_bad_usage_of_scene_options(programs, step, arguments):
     assert fails_with_one_line(result, BAD_USAGE, arguments.split()[0])
 
 
+@pytest.mark.parametrize("step", WITH_SCENE)
+def test_a_scene_that_is_not_there(programs, step):
+    """It may be a name misspelt, so the line has them all."""
+    result = programs.run(step, "--scene", "moutains", environment={"DISPLAY": None})
+    assert fails_with_one_line(result, CANNOT_RUN, "moutains", "courtyard", "mountains", "none")
+
+
 @pytest.mark.parametrize("step", [step for step in STEPS if step not in WITH_SCENE])
 @pytest.mark.parametrize("arguments", ["--scene none", "--voxels 64", "--up z", "--metres", "--follow"])
 def test_an_option_a_step_cannot_honour_is_an_error(programs, step, arguments):
