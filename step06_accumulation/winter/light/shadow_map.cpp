@@ -2,23 +2,15 @@
 
 #include "common/harness/driver.hpp"
 
-namespace {
-
-// Along each edge. In software, lookups in a map that does not fit into the processor's cache cost
-// as much as all the rest of the sunlight.
-GLsizei texels()
-{
-    return renders_in_software() ? 1024 : 2048;
-}
-
-}  // namespace
-
-ShadowMap::ShadowMap()
-    : depth_(make_texture()), framebuffer_(make_framebuffer()),
+ShadowMap::ShadowMap(float scene_size)
+    // In software a smaller one, of which more fits into the processor's cache; but in a landscape
+    // one would see its texels.
+    : texels_(renders_in_software() && scene_size < 40 ? 1024 : 2048), depth_(make_texture()),
+      framebuffer_(make_framebuffer()),
       program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/light/shadow.vert"}})
 {
     glBindTexture(GL_TEXTURE_2D, depth_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels(), texels(), 0, GL_DEPTH_COMPONENT,
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels_, texels_, 0, GL_DEPTH_COMPONENT,
                  GL_UNSIGNED_SHORT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     // Beside the map there is no scene and no shadow.
@@ -50,7 +42,7 @@ void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ive
     if (light.to_sun == drawn_for_) return;
     drawn_for_ = light.to_sun;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glViewport(0, 0, texels(), texels());
+    glViewport(0, 0, texels_, texels_);
     glClear(GL_DEPTH_BUFFER_BIT);
     // A texel is as deep as its middle: push all surfaces back by as much as they fall off in a
     // texel, or they would shadow themselves in stripes.

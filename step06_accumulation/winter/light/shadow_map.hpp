@@ -13,7 +13,7 @@
 
 class ShadowMap {
 public:
-    ShadowMap();
+    explicit ShadowMap(float scene_size);  // m
 
     static std::vector<snow::Parameter> parameters();
     inline static float soft_shadows = 1;  // a switch
@@ -24,6 +24,7 @@ public:
     GLuint texture() const { return depth_; }
 
 private:
+    GLsizei texels_;  // along each edge
     GlObject depth_, framebuffer_;
     Program program_;
     glm::vec3 drawn_for_{};
