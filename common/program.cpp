@@ -33,8 +33,7 @@ Program::Program(const std::vector<Shader>& shaders, const std::vector<const cha
     : id_(glCreateProgram(), [](GLuint name) { glDeleteProgram(name); })
 {
     for (const Shader& shader : shaders) {
-        glAttachShader(id_,
-                       compile(shader, defines, sources_));  // it lives as long as the program now
+        glAttachShader(id_, compile(shader, defines, sources_));  // it lives as long as this now
         files_ += (files_.empty() ? "" : " + ") + shader.file;
     }
     if (!varyings.empty()) {

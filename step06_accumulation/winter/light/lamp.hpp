@@ -10,7 +10,7 @@ class Lamp {
 public:
     Lamp();
 
-    // Draws it, on as it is, over the same surfaces as they were drawn with the scene.
+    // Draws it, shining, over the same surfaces as they were drawn with the scene.
     void draw(const snow::Light& light, const SolidScene& solid);
 
     // Adds its halo to the frame, whose depth this is.
