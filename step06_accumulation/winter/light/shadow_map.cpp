@@ -1,17 +1,10 @@
 #include "step06_accumulation/winter/light/shadow_map.hpp"
 
-#include "common/harness/driver.hpp"
-
 ShadowMap::ShadowMap(float scene_size)
-    // In software a smaller one, of which more fits into the processor's cache; but in a landscape
-    // one would see its texels.
-    : texels_(renders_in_software() && scene_size < 40 ? 1024 : 2048), depth_(make_texture()),
-      framebuffer_(make_framebuffer()),
+    : scene_size_(scene_size), depth_(make_texture()), framebuffer_(make_framebuffer()),
       program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/light/shadow.vert"}})
 {
     glBindTexture(GL_TEXTURE_2D, depth_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels_, texels_, 0, GL_DEPTH_COMPONENT,
-                 GL_UNSIGNED_SHORT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     // Beside the map there is no scene and no shadow.
     const float farthest[4] = {1, 1, 1, 1};
@@ -39,10 +32,19 @@ void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ive
     glBindTexture(GL_TEXTURE_2D, depth_);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, filter, soft_shadows != 0 ? GL_LINEAR : GL_NEAREST);
+    // Hard edges are for what is slow, where more of a small map fits into the cache; but in a
+    // landscape one would see its texels.
+    const GLsizei texels = soft_shadows == 0 && scene_size_ < 40 ? 1024 : 2048;
+    if (texels != texels_) {
+        texels_ = texels;
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels, texels, 0, GL_DEPTH_COMPONENT,
+                     GL_UNSIGNED_SHORT, nullptr);
+        drawn_for_ = {};
+    }
     if (light.to_sun == drawn_for_) return;
     drawn_for_ = light.to_sun;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glViewport(0, 0, texels_, texels_);
+    glViewport(0, 0, texels, texels);
     glClear(GL_DEPTH_BUFFER_BIT);
     // A texel is as deep as its middle: push all surfaces back by as much as they fall off in a
     // texel, or they would shadow themselves in stripes.

@@ -24,7 +24,8 @@ public:
     GLuint texture() const { return depth_; }
 
 private:
-    GLsizei texels_;  // along each edge
+    float scene_size_;
+    GLsizei texels_ = 0;  // along each edge
     GlObject depth_, framebuffer_;
     Program program_;
     glm::vec3 drawn_for_{};
