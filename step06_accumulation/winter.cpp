@@ -36,8 +36,8 @@ void run_winter(Window& window)
     Winter winter(window, solid, columns);
 
     UniformBlock<Weather> weather_block;
-    Program update({{GL_VERTEX_SHADER, "step06_accumulation/winter/wind/update.vert"}},
-                   {"position", "age", "velocity", "rest"});
+    Permutations updates({{GL_VERTEX_SHADER, "step06_accumulation/winter/wind/update.vert"}},
+                         {"position", "age", "velocity", "rest"});
 
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
@@ -49,12 +49,11 @@ void run_winter(Window& window)
         winter.choose_flakes(window, particles);
         {
             const auto stage = window.stage("update");
-            update.use();
+            Program& update = winter.use_in_wind(updates, weather);
             set_voxels(update, solid);
             set_terrain(update, solid);
             ledger.bind();
             cover.bind();
-            winter.set_wind(update, weather);
             update.set("flake_mass",
                        cover.flake_mass(weather, solid.grid) * winter.live().weight());
             for (; window.next_tick(); ++tick) {

@@ -120,10 +120,11 @@ void check_record_folder(const std::filesystem::path& folder)
     }
 }
 
+// What has no ending is rather a name misspelt than a file that is missing.
 void check_scene(const std::filesystem::path& scene)
 {
     std::error_code error;  // whatever it is, the file is not there
-    if (scene == "none" || std::filesystem::exists(scene, error)) return;
+    if (scene == "none" || scene.has_extension() || std::filesystem::exists(scene, error)) return;
     throw std::runtime_error("cannot read " + scene.string() +
                              ": no such file, nor one of the scenes courtyard, mountains and none");
 }

@@ -35,9 +35,9 @@ void Winter::choose_flakes(Window& window, const PingPong& particles)
     live_.resize(budget_.share(), particles);
 }
 
-void Winter::set_wind(Program& program, const snow::Weather& weather) const
+Program& Winter::use_in_wind(Permutations& all, const snow::Weather& weather) const
 {
-    computed_.wind.set(program, weather);
+    return computed_.wind.use(all, weather);
 }
 
 void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
@@ -54,8 +54,8 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         const auto stage = window.stage("smooth");
         smooth_snow_.update(tick, window.ticks());
     }
-    const auto use_lit = [this](LitProgram& lit) -> Program& {
-        Program& program = lit.for_light(daylight_.light());
+    const auto use_lit = [this](Permutations& all) -> Program& {
+        Program& program = all.with(daylight_.parts());
         program.use();
         program.set_texture("shadow_map", SHADOW_UNIT, GL_TEXTURE_2D, shadow_map_.texture());
         program.set_texture("sky_seen", SKY_SEEN_UNIT, GL_TEXTURE_3D,

@@ -35,8 +35,8 @@ public:
     void choose_flakes(Window& window, const PingPong& particles);
     const LiveFlakes& live() const { return live_; }
 
-    // Gives the wind around the scene to the program in use, as wind_field.glsl looks for it.
-    void set_wind(Program& program, const snow::Weather& weather) const;
+    // Puts a program to use whose shaders include wind_field.glsl.
+    Program& use_in_wind(Permutations& all, const snow::Weather& weather) const;
 
     // Draws it all, each part in a stage of its own. tick: time steps made since the first flake.
     void draw(Window& window, unsigned tick, const PingPong& particles);

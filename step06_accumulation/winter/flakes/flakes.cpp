@@ -31,14 +31,14 @@ std::vector<snow::Parameter> Flakes::parameters()
     };
 }
 
-void Flakes::draw(const Window& window, const UseLit& use_lit,
+void Flakes::draw(const Window& window, const UseProgram& use_lit,
                   const std::function<void()>& draw_points)
 {
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
     if (billboards != 0) {
-        const auto draw_with = [&](LitProgram& lit) {
-            Program& program = use_lit(lit);
+        const auto draw_with = [&](Permutations& all) {
+            Program& program = use_lit(all);
             program.set("blur", blur != 0 ? 1 : 0);
             program.set("colours", int(std::lround(colours)));
             program.set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals_);

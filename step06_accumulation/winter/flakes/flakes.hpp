@@ -7,7 +7,7 @@
 
 #include "common/program.hpp"
 #include "common/window.hpp"
-#include "step06_accumulation/winter/light/lit_program.hpp"
+#include "step06_accumulation/winter/permutations.hpp"
 
 class Flakes {
 public:
@@ -18,11 +18,11 @@ public:
     inline static float colours = 0;  // 0 their own, 1 by speed, 2 by age, 3 by emitter
 
     // Draws what draw_points draws as points, a flake each.
-    void draw(const Window& window, const UseLit& use_lit,
+    void draw(const Window& window, const UseProgram& use_lit,
               const std::function<void()>& draw_points);
 
 private:
-    LitProgram billboard_, splash_;
+    Permutations billboard_, splash_;
     Program sprite_;
     GlObject crystals_;
 };

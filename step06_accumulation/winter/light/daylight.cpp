@@ -170,3 +170,12 @@ void Daylight::update(const snow::Weather& weather, unsigned tick)
 
     block_.update(LIGHT_BLOCK, light_);
 }
+
+std::string Daylight::parts() const
+{
+    std::string parts;
+    if (light_.has_shadow != 0) parts += "#define SHADOW\n";
+    if (light_.has_occlusion != 0) parts += "#define OCCLUSION\n";
+    if (light_.lamp_is_on != 0) parts += "#define LAMP\n";
+    return parts;
+}

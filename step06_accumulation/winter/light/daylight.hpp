@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "common/uniform_block.hpp"
@@ -26,6 +27,9 @@ public:
     void update(const snow::Weather& weather, unsigned tick);
 
     const snow::Light& light() const { return light_; }
+
+    // Which parts of the light there are, as light.glsl wants it defined; see permutations.hpp.
+    std::string parts() const;
 
 private:
     UniformBlock<snow::Light> block_;

@@ -1,7 +1,7 @@
 // The light of a winter's day, and what it makes of surfaces and flakes. `struct Light` is GLSL and C++, like
 // CameraView. All colours are linear. Light is measured by what it makes of a white surface that faces it: 1 is
 // white paper in a bright room, snow in the sun is brighter. SHADOW, OCCLUSION and LAMP are defined if there is
-// such a thing: see lit_program.hpp.
+// such a thing: see Daylight::parts.
 
 struct Light {
     mat4 to_shadow_map;     // world space to the clip space in which the shadow map was drawn

@@ -231,12 +231,12 @@ std::vector<snow::Parameter> SnowSurface::parameters()
 SnowSurface::Programs SnowSurface::programs_with(const std::string& fragment_shader)
 {
     const std::string folder = "step06_accumulation/winter/surface/";
-    return {LitProgram({{GL_VERTEX_SHADER, folder + "surface.vert"},
-                        {GL_FRAGMENT_SHADER, folder + fragment_shader}}),
-            LitProgram({{GL_VERTEX_SHADER, folder + "surface_patch.vert"},
-                        {GL_TESS_CONTROL_SHADER, folder + "surface.tesc"},
-                        {GL_TESS_EVALUATION_SHADER, folder + "surface.tese"},
-                        {GL_FRAGMENT_SHADER, folder + fragment_shader}})};
+    return {Permutations({{GL_VERTEX_SHADER, folder + "surface.vert"},
+                          {GL_FRAGMENT_SHADER, folder + fragment_shader}}),
+            Permutations({{GL_VERTEX_SHADER, folder + "surface_patch.vert"},
+                          {GL_TESS_CONTROL_SHADER, folder + "surface.tesc"},
+                          {GL_TESS_EVALUATION_SHADER, folder + "surface.tese"},
+                          {GL_FRAGMENT_SHADER, folder + fragment_shader}})};
 }
 
 void SnowSurface::draw(GLenum mode, const std::vector<Part>& parts, Program& program,
@@ -251,15 +251,15 @@ void SnowSurface::draw(GLenum mode, const std::vector<Part>& parts, Program& pro
 }
 
 void SnowSurface::draw(const snow::Weather& weather, const ScenePictures& pictures,
-                       const UseLit& use_lit, const std::function<void(Program&)>& set_snow)
+                       const UseProgram& use_lit, const std::function<void(Program&)>& set_snow)
 {
     glBindVertexArray(vao_);
     const auto set_grain = [this](Program& program) {
         program.set("grain_size", 1.28f);
         program.set_texture("grain", GRAIN_UNIT, GL_TEXTURE_2D, grain_);
     };
-    const auto use_on_snow = [&](LitProgram& lit) -> Program& {
-        Program& program = use_lit(lit);
+    const auto use_on_snow = [&](Permutations& all) -> Program& {
+        Program& program = use_lit(all);
         set_snow(program);
         set_grain(program);
         return program;

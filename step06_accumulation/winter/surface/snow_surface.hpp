@@ -9,7 +9,7 @@
 #include "common/scene/scene.hpp"
 #include "common/weather.hpp"
 #include "step05_collision/solid_scene.hpp"
-#include "step06_accumulation/winter/light/lit_program.hpp"
+#include "step06_accumulation/winter/permutations.hpp"
 
 struct SurfaceVertex {
     Vertex vertex;
@@ -47,8 +47,8 @@ public:
     inline static float scene = 1, tessellation = 1, dusting = 1, sparkle = 1;  // switches
 
     // set_snow gives a program in use the textures of the snow.
-    void draw(const snow::Weather& weather, const ScenePictures& pictures, const UseLit& use_lit,
-              const std::function<void(Program&)>& set_snow);
+    void draw(const snow::Weather& weather, const ScenePictures& pictures,
+              const UseProgram& use_lit, const std::function<void(Program&)>& set_snow);
 
 private:
     struct Part {
@@ -57,7 +57,7 @@ private:
         GLsizei count;
     };
     struct Programs {  // for surfaces that snow can lie on
-        LitProgram as_is, tessellated;
+        Permutations as_is, tessellated;
     };
     static Programs programs_with(const std::string& fragment_shader);
     static void draw(GLenum mode, const std::vector<Part>& parts, Program& program,
@@ -65,7 +65,7 @@ private:
 
     GlObject vertices_, indices_, vao_;
     std::vector<Part> bare_, fine_, coarse_, field_;
-    LitProgram on_bare_, on_dusted_, on_field_;
+    Permutations on_bare_, on_dusted_, on_field_;
     Programs plain_, sparkling_;
     GlObject grain_;
     float fine_enough_;  // m

@@ -8,10 +8,9 @@ WindArrows::WindArrows()
 void WindArrows::draw(const WindField& wind, const SolidScene& solid, const snow::Weather& weather,
                       unsigned tick)
 {
-    program_.use();
-    set_voxels(program_, solid);
-    wind.set(program_, weather);
-    program_.set("tick", tick);
+    Program& program = wind.use(program_, weather);
+    set_voxels(program, solid);
+    program.set("tick", tick);
     glBindVertexArray(vao_);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 9, 16 * 16 * 4);  // corners, arrows: see arrow.vert
 }

@@ -15,6 +15,6 @@ public:
               unsigned tick);
 
 private:
-    Program program_;
+    Permutations program_;
     NoVertices vao_;  // the shader knows its corners
 };

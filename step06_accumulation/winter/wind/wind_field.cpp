@@ -256,12 +256,15 @@ std::vector<snow::Parameter> WindField::parameters()
     };
 }
 
-void WindField::set(Program& program, const snow::Weather& weather) const
+Program& WindField::use(Permutations& all, const snow::Weather& weather) const
 {
-    program.set("around_the_scene", wind_field != 0 ? 1 : 0);
+    const bool flows = wind_field != 0 && (weather.wind.x != 0 || weather.wind.z != 0);
+    Program& program = all.with(flows ? "#define AROUND_THE_SCENE\n" : "");
+    program.use();
     program.set("gusts", gusts);
     program.set_texture("wind_along_x", WIND_X_UNIT, GL_TEXTURE_3D,
                         flows_[weather.wind.x < 0 ? 1 : 0]);
     program.set_texture("wind_along_z", WIND_Z_UNIT, GL_TEXTURE_3D,
                         flows_[weather.wind.z < 0 ? 3 : 2]);
+    return program;
 }

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "common/gl_object.hpp"
-#include "common/program.hpp"
 #include "common/weather.hpp"
 #include "step05_collision/voxel_grid.hpp"
+#include "step06_accumulation/winter/permutations.hpp"
 
 // Air that blows with 1 m/s along one axis far from the scene. Its velocity is known on the faces
 // of a coarse grid: component `axis` at face (i, j, k) is the flow from cell i-1 to cell i along
@@ -41,8 +41,8 @@ public:
     inline static float wind_field = 1, arrows = 0;  // switches
     inline static float gusts = 0.3f;
 
-    // Gives the flows to the program in use, as wind_field.glsl looks for them.
-    void set(Program& program, const snow::Weather& weather) const;
+    // Puts a program to use whose shaders include wind_field.glsl, and gives it the flows.
+    Program& use(Permutations& all, const snow::Weather& weather) const;
 
 private:
     GlObject flows_[4];
