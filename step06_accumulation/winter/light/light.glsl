@@ -48,8 +48,8 @@ struct Place {
 // Of a point on a surface. normal: length 1, on either side.
 Place place_of(vec3 position, vec3 normal)
 {
-    // Beside it, where the sun is: out of its own shadow.
-    vec3 beside = position + 0.03 * faceforward(normal, -light.to_sun, normal);
+    // Beside it, on the side of the sun: out of its own shadow.
+    vec3 beside = position + 0.03 * (dot(normal, light.to_sun) < 0.0 ? -normal : normal);
     vec3 as_drawn = (light.to_shadow_map * vec4(beside, 1.0)).xyz;
     return Place(position, (position - light.grid_corner) / light.grid_size, 0.5 + 0.5 * as_drawn);
 }
