@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "common/harness/files.hpp"
-#include "common/harness/options.hpp"
 #include "common/window.hpp"
+#include "tests/common/harness/small_window.hpp"
 
 namespace {
 
@@ -24,12 +24,7 @@ double milliseconds(Clock::duration time)
 struct BusyRun {
     BusyRun() : path(std::filesystem::path(testing::TempDir()) / "busy.csv")
     {
-        CommandLine command;
-        command.lesson = {
-            .name = "busy", .idea = "a test", .minimum_gl = 1.5, .variants = {{"plain", nullptr}}};
-        command.variant = "plain";
-        command.weather = snow::make_weather("snow", 7, 1);
-        command.size = {64, 64};
+        CommandLine command = small_window(1.5);
         command.frames = 10;
         command.csv = path;
         Window window(command);

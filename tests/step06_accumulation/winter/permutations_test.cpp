@@ -3,19 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "common/harness/options.hpp"
 #include "common/window.hpp"
+#include "tests/common/harness/small_window.hpp"
 
 // An `if` in a shader is not enough: there are drivers that compute both of its sides.
 TEST(Permutations, HaveNotALineOfWhatIsOff)
 {
-    CommandLine command;
-    command.lesson = {
-        .name = "parts", .idea = "a test", .minimum_gl = 4.3, .variants = {{"plain", nullptr}}};
-    command.variant = "plain";
-    command.weather = snow::make_weather("snow", 7, 1);
-    command.size = {64, 64};
-    Window window(command);
+    const Window window(small_window(4.3));
     const std::string folder = "step06_accumulation/winter/surface/";
     Permutations all(
         {{GL_VERTEX_SHADER, folder + "bare.vert"}, {GL_FRAGMENT_SHADER, folder + "bare.frag"}});

@@ -3,18 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "common/harness/options.hpp"
+#include "tests/common/harness/small_window.hpp"
 
 // Where the screen is faster than the snow, a frame makes no step: its flakes are those of the
 // frame before, and so are their streaks.
 TEST(CameraBlock, KeepsTheShutterInAFrameWithoutAStep)
 {
-    CommandLine command;
-    command.lesson = {
-        .name = "camera", .idea = "a test", .minimum_gl = 3.3, .variants = {{"plain", nullptr}}};
-    command.variant = "plain";
-    command.weather = snow::make_weather("snow", 7, 1);
-    command.size = {64, 64};
+    CommandLine command = small_window(3.3);
     command.frames = 2;
     Window window(command);
     CameraBlock block;

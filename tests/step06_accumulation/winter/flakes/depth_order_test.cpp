@@ -5,20 +5,15 @@
 
 #include <set>
 
-#include "common/harness/options.hpp"
 #include "step06_accumulation/winter/camera/camera_block.hpp"
+#include "tests/common/harness/small_window.hpp"
 
 class DepthOrderOf : public testing::TestWithParam<unsigned> {};
 
 // Every flake that lives is there once, and none is farther than the one before it.
 TEST_P(DepthOrderOf, SortsThoseThatLive)
 {
-    CommandLine command;
-    command.lesson = {
-        .name = "order", .idea = "a test", .minimum_gl = 4.3, .variants = {{"plain", nullptr}}};
-    command.variant = "plain";
-    command.weather = snow::make_weather("snow", GetParam(), 1);
-    command.size = {64, 64};
+    CommandLine command = small_window(4.3, GetParam());
     command.frames = 1;
     Window window(command);
     std::vector<snow::Particle> flakes = make_flakes(command.weather);

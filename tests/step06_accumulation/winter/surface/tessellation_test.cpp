@@ -2,25 +2,18 @@
 #include <gtest/gtest.h>
 
 #include "common/harness/files.hpp"
-#include "common/harness/options.hpp"
 #include "step06_accumulation/cover/snow_cover.hpp"
 #include "step06_accumulation/winter/winter.hpp"
+#include "tests/common/harness/small_window.hpp"
 
 // What is not to be divided has the level 1, and is as many triangles as without tessellation: or
 // an edge would be divided on one side, and not on the other, where that is not tessellated.
 TEST(Tessellation, DividesNothingWhereNoSnowLies)
 {
-    CommandLine command;
-    command.lesson = {.name = "tessellation",
-                      .idea = "a test",
-                      .minimum_gl = 4.3,
-                      .variants = {{"winter", nullptr}},
-                      .has_scene = true};
-    command.variant = "winter";
-    command.weather = snow::make_weather("snow", 2, 1);
+    CommandLine command = small_window(4.3, 2);
+    command.lesson.has_scene = true;
     command.scene = find_file("common/assets/courtyard.obj");
     command.voxels = 128;  // so fine that there is something to divide
-    command.size = {64, 64};
     command.frames = 1;
     Window window(command);
     SnowCover cover(command.voxels);
