@@ -11,7 +11,7 @@
 class Permutations {
 public:
     // As Program's. Compiles the program that has none of the parts, so that a fault is told at
-    // once.
+    // once, if it is not in a line of a part.
     explicit Permutations(std::vector<Shader> shaders, std::vector<const char*> varyings = {});
 
     // The program with these parts, lines `#define NAME`, compiled when it is first asked for. Of

@@ -7,7 +7,6 @@ Winter::Computed::Computed(Window& window)
 Winter::Winter(Window& window, const SolidScene& solid, const Columns& columns)
     : solid_(solid), columns_(columns), computed_(window.shared<Computed>()),
       live_(window.options().weather.particles), daylight_(solid),
-      shadow_map_(solid.grid.cell_size * float(solid.grid.resolution)),
       smooth_snow_(columns, solid.grid.resolution), surface_(solid)
 {}
 

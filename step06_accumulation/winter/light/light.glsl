@@ -41,9 +41,15 @@ uniform sampler3D sky_seen;  // see ambient_occlusion.cpp
 // compute them.
 struct Place {
     vec3 world;          // m
-    vec3 in_grid;        // 0 to 1 across the cube in which the scene stands
+    vec3 in_grid;        // see across_grid
     vec3 in_shadow_map;  // 0 to 1
 };
+
+// 0 to 1 across the cube in which the scene stands.
+vec3 across_grid(vec3 position)
+{
+    return (position - light.grid_corner) / light.grid_size;
+}
 
 // Of a point on a surface. normal: length 1, on either side.
 Place place_of(vec3 position, vec3 normal)
@@ -51,7 +57,7 @@ Place place_of(vec3 position, vec3 normal)
     // Beside it, on the side of the sun: out of its own shadow.
     vec3 beside = position + 0.03 * (dot(normal, light.to_sun) < 0.0 ? -normal : normal);
     vec3 as_drawn = (light.to_shadow_map * vec4(beside, 1.0)).xyz;
-    return Place(position, (position - light.grid_corner) / light.grid_size, 0.5 + 0.5 * as_drawn);
+    return Place(position, across_grid(position), 0.5 + 0.5 * as_drawn);
 }
 
 // How much of the sun reaches this point: 0 in shadow, 1 in the sun. The lookup compares with texels around and

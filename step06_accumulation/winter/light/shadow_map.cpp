@@ -1,7 +1,7 @@
 #include "step06_accumulation/winter/light/shadow_map.hpp"
 
-ShadowMap::ShadowMap(float scene_size)
-    : scene_size_(scene_size), depth_(make_texture()), framebuffer_(make_framebuffer()),
+ShadowMap::ShadowMap()
+    : depth_(make_texture()), framebuffer_(make_framebuffer()),
       program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/light/shadow.vert"}})
 {
     glBindTexture(GL_TEXTURE_2D, depth_);
@@ -34,7 +34,7 @@ void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ive
         glTexParameteri(GL_TEXTURE_2D, filter, soft_shadows != 0 ? GL_LINEAR : GL_NEAREST);
     // Hard edges are for what is slow, where more of a small map fits into the cache; but in a
     // landscape one would see its texels.
-    const GLsizei texels = soft_shadows == 0 && scene_size_ < 40 ? 1024 : 2048;
+    const GLsizei texels = soft_shadows == 0 && light.grid_size < 40 ? 1024 : 2048;
     if (texels != texels_) {
         texels_ = texels;
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels, texels, 0, GL_DEPTH_COMPONENT,

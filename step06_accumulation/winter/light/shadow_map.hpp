@@ -13,7 +13,7 @@
 
 class ShadowMap {
 public:
-    explicit ShadowMap(float scene_size);  // m
+    ShadowMap();
 
     static std::vector<snow::Parameter> parameters();
     inline static float soft_shadows = 1;  // a switch
@@ -24,7 +24,6 @@ public:
     GLuint texture() const { return depth_; }
 
 private:
-    float scene_size_;
     GLsizei texels_ = 0;  // along each edge
     GlObject depth_, framebuffer_;
     Program program_;

@@ -24,7 +24,7 @@ void put_on_snow(Corner corner)
     vec2 outside = abs(corner.position.xz - grid_origin.xz - half_size) - half_size;
     float away = max(outside.x, outside.y);  // from the edge of the grid
     beyond = smoothstep(0.0, margin, away);
-    base = (corner.position.y - light.grid_corner.y) / light.grid_size;
+    base = across_grid(corner.position).y;
     // Snow cannot slide out of the grid, and would pile up at a wall on its edge: drawn is what would be left
     // if it could.
     float most = camera.field_depth + tan(radians(weather.repose)) * max(-away, 0.0);
