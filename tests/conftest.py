@@ -31,6 +31,27 @@ WITH_SCENE = [step for step in STEPS if step >= "step05"]
 # A hung program must fail its test, not stop the suite. Nothing here takes a tenth of this.
 PATIENCE = float(os.environ.get("TEST_PATIENCE", 300))  # s
 
+
+@functools.cache
+def project_files():
+    """All files of the project, as git lists them: not what a user has made or left beside them.
+
+    What was downloaded as an archive has no list: there all files in the project's own folders count.
+    """
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z"], text=True, check=False,
+                            capture_output=True).stdout.split("\0")
+    if "README.md" in listed:
+        return sorted(ROOT / name for name in listed if name and (ROOT / name).exists())
+    return sorted(path for top in ("common", "tests", *STEPS) for path in (ROOT / top).rglob("*")
+                  if path.is_file())
+
+
+def files_in(folder, pattern="*"):
+    """Those below a folder, given relative to the project, whose name or end of the path fits the pattern."""
+    return [path for path in project_files()
+            if path.is_relative_to(ROOT / folder) and path.match(pattern)]
+
+
 # A window this small costs nothing to draw, and the physics does not depend on it.
 SMALL = ["--size", "64x64"]
 

@@ -10,7 +10,7 @@ import xml.etree.ElementTree as xml
 import pytest
 
 from chapters import CHAPTERS, blocks, chapter, prose, section
-from conftest import ROOT, STEPS
+from conftest import ROOT, STEPS, files_in
 
 COMPARISON = ROOT / "common" / "compare" / "example" / "compare.md"
 SOURCES = (".cpp", ".hpp", ".glsl", ".vert", ".frag", ".geom", ".comp", ".tesc", ".tese")
@@ -22,13 +22,10 @@ def words(text):
 
 
 def sources(folder):
-    """Of a chapter: what is the winter's is not step 6's. The README has none, and is no reason to walk through
-    all folders: that of a build may hold the Debian of another test, with its /proc."""
-    if folder == ".":
-        return []
+    """Of a chapter: what is the winter's is not step 6's."""
     inside = [other for other in CHAPTERS if other.startswith(f"{folder}/")]
     beside = (ROOT / folder).with_suffix(".cpp")  # the winter's winter.cpp
-    return [path for path in [beside, *sorted((ROOT / folder).rglob("*"))]
+    return [path for path in [beside, *files_in(folder)]
             if path.suffix in SOURCES and path.exists()
             and not any(path.is_relative_to(ROOT / other) or path == (ROOT / other).with_suffix(".cpp")
                         for other in inside)]
@@ -83,7 +80,7 @@ def test_listings_fit_the_page(folder):
 @pytest.mark.parametrize("folder", CHAPTERS)
 def test_quoted_code_is_in_the_sources(folder):
     """In one file of the step, of an earlier one, or of what they share."""
-    files = {path for one in so_far(folder) for path in sources(one)} | set((ROOT / "common").rglob("*"))
+    files = {path for one in so_far(folder) for path in sources(one)} | set(files_in("common"))
     texts = [words(path.read_text(encoding="utf-8")) for path in files if path.suffix in SOURCES]
     for quotation in blocks(folder, "cpp", "glsl"):
         assert any(words(quotation) in text for text in texts), quotation
@@ -168,7 +165,7 @@ def test_the_winter_can_be_written_from_its_chapter(tmp_path):
 @pytest.mark.parametrize("step", [step for step in STEPS if step < "step06"])
 def test_all_that_is_other_in_a_variant_is_listed(step):
     """Step 6 has one, the winter, with a chapter of its own."""
-    own = [path.name for path in (ROOT / step).glob("*.cpp") if not path.with_suffix(".hpp").exists()]
+    own = [path.name for path in files_in(step, f"{step}/*.cpp") if not path.with_suffix(".hpp").exists()]
     main = lines_of_code((ROOT / step / "main.cpp").read_text(encoding="utf-8"))
     listed = {line for block in blocks(step, "cpp", "glsl") for line in lines_of_code(block)}
     for name in own:
@@ -201,7 +198,7 @@ def changes(diff):
 def test_edits_quoted_are_those_in_the_folder(folder):
     """Each diff in the chapter is a patch beside it, and the patch of each wrong picture is quoted."""
     def patches(names):
-        return [changes(path.read_text(encoding="utf-8")) for path in (ROOT / folder).glob(names)]
+        return [changes(path.read_text(encoding="utf-8")) for path in files_in(folder, f"{folder}/{names}")]
     quoted = [changes(block) for block in blocks(folder, "diff")]
     for one in quoted:
         assert one in patches("*.patch") + patches("solutions/*.patch"), "\n".join(one)
@@ -249,18 +246,24 @@ def test_links_lead_somewhere(folder):
 
 
 @pytest.mark.parametrize("folder", [*CHAPTERS, "."])
-def test_pictures_are_shown_and_described(folder):
-    """All in the chapter's folder, each with a text for those who do not see it."""
+def test_pictures_are_described(folder):
+    """Each has a text for those who do not see it."""
     shown = dict(re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", chapter(folder)))
-    assert all(len(text.split()) > 3 for text in shown)
+    assert shown and all(len(text.split()) > 3 for text in shown)
+
+
+@pytest.mark.parametrize("folder", CHAPTERS)
+def test_pictures_are_shown(folder):
+    """All in the chapter's folder, but for those that a program reads."""
+    shown = dict(re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", chapter(folder)))
     present = {str(path.relative_to(ROOT / folder)) for names in ("*.png", "figures/*.svg")
-               for path in (ROOT / folder).glob(names)}
+               for path in files_in(folder, f"{folder}/{names}")}
     code = " ".join(path.read_text(encoding="utf-8") for path in sources(folder))
     assert {name for name in present if f"{folder}/{name}" not in code} <= set(shown.values())
 
 
 FIGURES = [str(path.relative_to(ROOT)) for top in ["common", *STEPS]
-           for path in sorted((ROOT / top).rglob("figures/*.svg"))]
+           for path in files_in(top, "figures/*.svg")]
 
 
 @pytest.mark.parametrize("figure", FIGURES)
@@ -301,7 +304,7 @@ def test_every_exercise_is_tested(folder):
     tests = (ROOT / "tests" / folder / file).read_text(encoding="utf-8")
     tests = dict(re.findall(r"^def test_exercise_(\d+)\w*\((.*?)(?=^\S|\Z)", tests, re.DOTALL | re.MULTILINE))
     assert sorted(tests) == numbers
-    patches = {path.stem for path in (ROOT / folder / "solutions").glob("*.patch")}
+    patches = {path.stem for path in files_in(folder, f"{folder}/solutions/*.patch")}
     assert patches <= set(numbers)
     for number, text in zip(numbers, exercises[1::2]):
         assert "*Expect" in text

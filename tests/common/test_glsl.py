@@ -6,10 +6,10 @@ import subprocess
 
 import pytest
 
-from conftest import ROOT, STEPS
+from conftest import ROOT, STEPS, files_in
 
 KINDS = (".vert", ".frag", ".comp", ".geom", ".tesc", ".tese")
-SHADERS = sorted(str(path.relative_to(ROOT)) for step in STEPS for path in (ROOT / step).rglob("*")
+SHADERS = sorted(str(path.relative_to(ROOT)) for step in STEPS for path in files_in(step)
                  if path.suffix in KINDS)
 
 

@@ -10,7 +10,7 @@ import re
 import pytest
 
 from chapters import CHAPTERS, chapter
-from conftest import ROOT
+from conftest import ROOT, files_in
 from edited_copy import changed_files, is_compiled
 from pictures import check_against, read
 
@@ -25,7 +25,7 @@ def commands(folder):
 
 
 def patches(folder):
-    return {path.stem for path in (ROOT / folder).glob("*.patch")}
+    return {path.stem for path in files_in(folder, f"{folder}/*.patch")}
 
 
 @pytest.mark.parametrize("folder", CHAPTERS)
