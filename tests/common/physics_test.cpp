@@ -1,8 +1,10 @@
 // The physics of snow.glsl, as C++ sees it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 #include "common/weather.hpp"
 #include "step01_cpu_points/update.hpp"

@@ -1,6 +1,8 @@
 // Colours of scenes: found in all kinds of MTL files, and not lost without a word.
 #include "common/scene/materials.hpp"
 
+#include <algorithm>
+
 #include "tests/common/scene/scene_file.hpp"
 
 using glm::vec3;

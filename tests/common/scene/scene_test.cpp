@@ -1,8 +1,10 @@
 // OBJ files of all kinds; test_collision.py has those that a program must refuse.
 #include "common/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include "tests/common/scene/scene_file.hpp"

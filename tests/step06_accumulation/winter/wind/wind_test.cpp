@@ -1,6 +1,9 @@
 // The wind around small scenes of voxels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/harness/files.hpp"
 #include "step06_accumulation/winter/wind/wind_field.hpp"
 
