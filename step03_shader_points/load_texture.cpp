@@ -5,7 +5,7 @@
 
 #include "common/harness/files.hpp"
 
-Picture read_picture(const std::filesystem::path& path)
+Image read_picture(const std::filesystem::path& path)
 {
     const std::string name = path.string();
     const auto refuse = [&](const std::string& reason) {
@@ -23,14 +23,14 @@ Picture read_picture(const std::filesystem::path& path)
                " (make it smaller)");
     }
     stbi_set_flip_vertically_on_load(1);  // OpenGL's first row is the lowest
-    Picture picture{0, 0, 0, {nullptr, stbi_image_free}};
+    Image picture{0, 0, 0, {nullptr, stbi_image_free}};
     picture.pixels.reset(
         stbi_load(name.c_str(), &picture.width, &picture.height, &picture.channels, 4));
     if (!picture.pixels) refuse(broken);
     return picture;
 }
 
-GlObject upload_picture(const Picture& picture)
+GlObject upload_picture(const Image& picture)
 {
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture);

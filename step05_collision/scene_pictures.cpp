@@ -12,7 +12,7 @@ namespace {
 
 // Puts the mask into the alpha of the picture, in which 0 is cut out. It may have fewer pixels, or
 // more.
-void cut_out(Picture& picture, const Picture& mask)
+void cut_out(Image& picture, const Image& mask)
 {
     const int channel = mask.channels % 2 == 0 ? 3 : 0;  // its alpha if it has that
     for (int y = 0; y < picture.height; ++y) {
@@ -27,9 +27,9 @@ void cut_out(Picture& picture, const Picture& mask)
 }
 
 // White, and of the mask's shape.
-Picture white_of(const Material& material)
+Image white_of(const Material& material)
 {
-    Picture picture = read_picture(material.mask);
+    Image picture = read_picture(material.mask);
     const size_t pixels = size_t(picture.width) * size_t(picture.height);
     std::fill_n(picture.pixels.get(), 4 * pixels, static_cast<unsigned char>(255));
     return picture;
@@ -37,8 +37,7 @@ Picture white_of(const Material& material)
 
 GlObject upload(const Material& material)
 {
-    Picture picture =
-        material.picture.empty() ? white_of(material) : read_picture(material.picture);
+    Image picture = material.picture.empty() ? white_of(material) : read_picture(material.picture);
     if (!material.mask.empty()) cut_out(picture, read_picture(material.mask));
     GlObject texture = upload_picture(picture);
     check_memory("the pictures", 4.0 * picture.width * picture.height);

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 #
-# Does Snowfall build elsewhere than where it was written? Without optimisation, and without a
-# warning.
+# Does Snowfall build elsewhere than where it was written, and otherwise? Without a warning.
 #
-#     tests/portability/build.sh clang | no-tests | vcpkg | mingw
+#     tests/portability/build.sh debug | lto | clang | no-tests | vcpkg | mingw
 #
+# debug: as a student with a debugger builds it; then each program draws a picture.
+# lto: optimised as a whole, which finds types of one name that differ from file to file; the same.
 # clang: with Clang.
 # no-tests: where what the tests need is missing.
 # vcpkg: with stb and ImGui as vcpkg lays them out, beside Debian's own packages.
@@ -32,6 +33,33 @@ configure()
 }
 
 build() { cmake --build "$folder/build" --parallel "$(nproc)" "$@"; }
+
+# Each program once, on the display that is there or on one in memory.
+run_all()
+{
+    local display=() step
+    [[ -n ${DISPLAY:-} ]] || display=(xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX -noreset")
+    for step in "$root"/step0*/; do
+        step=$(basename "$step")
+        "${display[@]}" "$folder/build/$step" --frames 3 --screenshot "$folder/$step.png"
+        [[ -s $folder/$step.png ]]
+    done
+}
+
+with_debug()
+{
+    configure -DSNOWFALL_TESTS=OFF
+    build
+    run_all
+}
+
+with_lto()
+{
+    configure -DSNOWFALL_TESTS=OFF -DCMAKE_BUILD_TYPE=Release \
+        -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON -DCMAKE_CXX_FLAGS="-Werror -Wodr -Werror=odr"
+    build
+    run_all
+}
 
 with_clang()
 {
@@ -108,6 +136,6 @@ with_mingw()
 }
 
 case ${1:-} in
-    clang | no-tests | vcpkg | mingw) "with_${1//-/_}" ;;
+    debug | lto | clang | no-tests | vcpkg | mingw) "with_${1//-/_}" ;;
     *) sed -n '/^#     /s/^# */Usage: /p' "$0" >&2; exit 2 ;;
 esac
