@@ -4,12 +4,12 @@
 # more, and runs common/run.sh in it, without a display and from a folder whose name has a space and
 # an umlaut. It has to succeed and to leave its picture.
 #
-#     tests/portability/bare.sh [--as root|student] [--step N] [--tests] [SUITE]
+#     tests/portability/bare.sh [--as root|student] [--step N] [--tests|--build-tests] [SUITE]
 #
-# SUITE: bookworm (the default), trixie, testing.
+# SUITE: bookworm (the default), trixie, forky.
 # --as: only as root, or only as a user with sudo; otherwise as both, each on a Debian of its own.
 # --step: what common/run.sh is to run, 1 by default.
-# --tests: runs tests/run.sh afterwards.
+# --tests: runs tests/run.sh afterwards. --build-tests: builds them, no more.
 #
 # Packages come from where this machine has its own from. The Debian lies in $TMPDIR, or /tmp, and
 # is removed. Exit status 77, after one line that says why, where none can be made.
@@ -51,9 +51,10 @@ inside()
         return 1
     fi
     say "Done in $((SECONDS - began)) s."
-    if $tests; then
-        say "As $who: tests/run.sh"
-        log_in_and tests/run.sh -E bare_debian
+    if [[ -n $tests ]]; then
+        say "As $who: $tests"
+        # shellcheck disable=SC2086  # a command and its option
+        log_in_and $tests
         say "Done in $((SECONDS - began)) s."
     fi
 }
@@ -65,12 +66,13 @@ fi
 
 users=(root student)
 step=1
-tests=false
+tests=
 while [[ ${1:-} == -* ]]; do
     case $1 in
         --as) users=("$2"); shift ;;
         --step) step=$2; shift ;;
-        --tests) tests=true ;;
+        --tests) tests=tests/run.sh ;;
+        --build-tests) tests="tests/run.sh -N" ;;  # ctest then shows them only
         *) sed -n '/^#     /s/^# */Usage: /p' "$0" >&2; exit 2 ;;
     esac
     shift
