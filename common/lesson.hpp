@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,9 @@ class Window;
 struct Variant {
     std::string name;
     // Runs it from the first flake to the last frame, or until the user begins anew.
-    void (*run)(Window& window);
-    // The numbers that only this variant has, for --set and the panel; null: none.
-    std::vector<snow::Parameter> (*parameters)() = nullptr;
+    std::function<void(Window&)> run;
+    // The numbers and switches that only this variant has, for --set and the panel.
+    std::vector<snow::Parameter> parameters = {};
 };
 
 // Something that the specification allows a card to have none of, and the step needs.
@@ -28,7 +29,7 @@ struct Limit {
 struct Lesson {
     std::string name;                          // that of its folder
     std::string idea;                          // one sentence for --help
-    double minimum_gl;                         // OpenGL version, 3.3
+    double minimum_gl = 0;                     // OpenGL version, 3.3
     std::vector<Variant> variants;             // the first is the default
     bool fixed_points = false;                 // takes --groups and --point-size
     std::vector<std::string> hinted = {};      // variants that take --hint

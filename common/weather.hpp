@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "common/snow.hpp"
@@ -21,13 +22,25 @@ std::vector<Particle> make_flakes(const Weather& weather);
 struct Parameter {
     const char* name;   // for --set
     const char* label;  // in the panel
-    const char* unit;   // "on/off": a switch
+    const char* unit;   // of a switch: "on/off"
     float minimum, maximum;
     const char* meaning;
-    float* value;
-    char key = 0;              // that turns a switch on and off
-    const char* heading = "";  // in the panel, under which it stands
-    bool costly = false;       // a switch that is off in software, unless the user has set it
+    std::variant<float*, bool*> value;  // a number, or a switch
+    char key = 0;                       // that turns a switch on and off
+    const char* heading = "";           // in the panel, under which it stands
+    bool costly = false;  // a switch that is off in software, unless the user has set it
+
+    bool is_switch() const { return std::holds_alternative<bool*>(value); }
+
+    // Read and write it as a number: a switch is 1 or 0.
+    float get() const
+    {
+        return std::visit([](auto* now) { return float(*now); }, value);
+    }
+    void set(float number) const
+    {
+        std::visit([number](auto* now) { *now = number; }, value);
+    }
 };
 
 std::vector<Parameter> weather_parameters(Weather& weather);  // those of the weather

@@ -59,7 +59,6 @@ Window::Window(CommandLine command)
 
 Window::~Window()
 {
-    shared_.clear();
     harness_.reset();
     release_context();
     glutExit();  // at once; glutDestroyWindow would only queue it for a main loop that is over
@@ -74,6 +73,13 @@ bool Window::begin_frame()
     }
     size_ = next_size_;
     harness_->begin_frame(camera_);
+    return true;
+}
+
+bool Window::restarted()
+{
+    if (closing_ || !harness_->controls.restart) return false;
+    harness_->begin_run();
     return true;
 }
 

@@ -2,10 +2,8 @@
 // once a frame until the window is closed, Escape is pressed or the frames asked for are drawn.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
-#include <typeindex>
 #include <vector>
 
 #include "common/camera.hpp"
@@ -40,6 +38,10 @@ public:
     // Opens the next frame. False: the loop is over.
     bool begin_frame();
 
+    // After the loop: did the user ask to begin anew, with another number of flakes perhaps, or
+    // another variant? Then the clocks start again, and the next answer is no.
+    bool restarted();
+
     // Shows what was drawn, under the panel, after a look at what the user has done meanwhile.
     void swap_buffers();
 
@@ -67,18 +69,8 @@ public:
     // Writes the flakes as they are to the file of --dump, if there is one.
     void dump(const std::vector<snow::Particle>& flakes) const;
 
-    // The T that all runs in this window share, made of the window when it is first asked for.
-    template <typename T>
-    const T& shared()
-    {
-        std::shared_ptr<void>& made = shared_[typeid(T)];
-        if (made == nullptr) made = std::make_shared<T>(*this);
-        return *static_cast<const T*>(made.get());
-    }
-
 private:
     friend int run_lesson(int argc, char** argv, const Lesson& lesson);
-    void run();
     void take_events();
     void on_close();
     static void on_key(unsigned char key, int x, int y);
@@ -94,5 +86,4 @@ private:
     bool dragging_ = false;
     bool closing_ = false, gone_ = false;  // the window is to be closed; it is closed
     bool drawn_ = false;                   // a frame waits to be shown
-    std::map<std::type_index, std::shared_ptr<void>> shared_;
 };

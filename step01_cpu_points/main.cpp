@@ -58,14 +58,14 @@ void run_threads(Window& window);   // threads.cpp
 
 int main(int argc, char** argv)
 {
-    return run_lesson(
-        argc, argv,
-        {.name = "step01_cpu_points",
-         .idea = "snow moved by a loop on the CPU and drawn point by point with glBegin and glEnd",
-         .minimum_gl = 1.5,
-         .variants = {{"one-loop", run},
-                      {"three-loops", run},
-                      {"hexagons", run_hexagons},
-                      {"threads", run_threads}},
-         .fixed_points = true});
+    Lesson lesson;
+    lesson.name = "step01_cpu_points";
+    lesson.idea = "snow moved by a loop on the CPU and drawn point by point with glBegin and glEnd";
+    lesson.minimum_gl = 1.5;
+    lesson.variants = {{"one-loop", run},
+                       {"three-loops", run},
+                       {"hexagons", run_hexagons},
+                       {"threads", run_threads}};
+    lesson.fixed_points = true;
+    return run_lesson(argc, argv, lesson);
 }

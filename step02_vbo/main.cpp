@@ -74,16 +74,16 @@ void run_soa(Window& window);         // soa.cpp
 
 int main(int argc, char** argv)
 {
-    return run_lesson(
-        argc, argv,
-        {.name = "step02_vbo",
-         .idea = "the snow of step 1, uploaded to a vertex buffer and drawn with one call",
-         .minimum_gl = 1.5,
-         .variants = {{"subdata", run},
-                      {"orphan", run},
-                      {"persistent", run_persistent},
-                      {"arrays", run_arrays},
-                      {"soa", run_soa}},
-         .fixed_points = true,
-         .hinted = {"subdata", "orphan", "soa"}});
+    Lesson lesson;
+    lesson.name = "step02_vbo";
+    lesson.idea = "the snow of step 1, uploaded to a vertex buffer and drawn with one call";
+    lesson.minimum_gl = 1.5;
+    lesson.variants = {{"subdata", run},
+                       {"orphan", run},
+                       {"persistent", run_persistent},
+                       {"arrays", run_arrays},
+                       {"soa", run_soa}};
+    lesson.fixed_points = true;
+    lesson.hinted = {"subdata", "orphan", "soa"};
+    return run_lesson(argc, argv, lesson);
 }

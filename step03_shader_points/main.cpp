@@ -73,10 +73,10 @@ void run_texture(Window& window);  // texture.cpp
 
 int main(int argc, char** argv)
 {
-    return run_lesson(
-        argc, argv,
-        {.name = "step03_shader_points",
-         .idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance",
-         .minimum_gl = 3.3,
-         .variants = {{"disc", run}, {"texture", run_texture}}});
+    Lesson lesson;
+    lesson.name = "step03_shader_points";
+    lesson.idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance";
+    lesson.minimum_gl = 3.3;
+    lesson.variants = {{"disc", run}, {"texture", run_texture}};
+    return run_lesson(argc, argv, lesson);
 }

@@ -90,12 +90,13 @@ void run_geometry(Window& window);  // geometry.cpp
 
 int main(int argc, char** argv)
 {
-    return run_lesson(argc, argv,
-                      {.name = "step04_transform_feedback",
-                       .idea = "the snow of step 3, moved by the GPU as well as drawn by it",
-                       .minimum_gl = 3.3,
-                       .variants = {{"feedback", run},
-                                    {"texture", run_texture},
-                                    {"compute", run_compute},
-                                    {"geometry", run_geometry}}});
+    Lesson lesson;
+    lesson.name = "step04_transform_feedback";
+    lesson.idea = "the snow of step 3, moved by the GPU as well as drawn by it";
+    lesson.minimum_gl = 3.3;
+    lesson.variants = {{"feedback", run},
+                       {"texture", run_texture},
+                       {"compute", run_compute},
+                       {"geometry", run_geometry}};
+    return run_lesson(argc, argv, lesson);
 }

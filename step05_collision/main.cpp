@@ -15,7 +15,7 @@
 
 using namespace snow;
 
-void run(Window& window)
+void run(Window& window, const SolidScene& solid)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
@@ -23,7 +23,6 @@ void run(Window& window)
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
-    const SolidScene& solid = window.shared<SolidScene>();
     const Ledger ledger;
 
     UniformBlock<Weather> weather_block;
@@ -91,18 +90,30 @@ void run(Window& window)
     ledger.print(flakes);
 }
 
-void run_triangles(Window& window);  // triangles.cpp
+void run_triangles(Window& window, const SolidScene& solid);  // triangles.cpp
+
+// Reads the scene once, however often the snow begins anew.
+void load_and_run(Window& window)
+{
+    const SolidScene solid(window);
+    do {
+        if (window.options().variant == "triangles")
+            run_triangles(window, solid);
+        else
+            run(window, solid);
+    } while (window.restarted());
+}
 
 int main(int argc, char** argv)
 {
-    return run_lesson(
-        argc, argv,
-        {.name = "step05_collision",
-         .idea = "the snow of step 4, landing on a scene that the GPU knows as voxels",
-         .minimum_gl = 3.3,
-         .variants = {{"voxels", run}, {"triangles", run_triangles}},
-         .has_scene = true,
-         .extensions = {"GL_ARB_shader_atomic_counters",
-                        "GL_ARB_shader_image_load_store"},  // which has glMemoryBarrier
-         .limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"}}});
+    Lesson lesson;
+    lesson.name = "step05_collision";
+    lesson.idea = "the snow of step 4, landing on a scene that the GPU knows as voxels";
+    lesson.minimum_gl = 3.3;
+    lesson.variants = {{"voxels", load_and_run}, {"triangles", load_and_run}};
+    lesson.has_scene = true;
+    lesson.extensions = {"GL_ARB_shader_atomic_counters",
+                         "GL_ARB_shader_image_load_store"};  // which has glMemoryBarrier
+    lesson.limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"}};
+    return run_lesson(argc, argv, lesson);
 }

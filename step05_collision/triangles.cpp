@@ -13,7 +13,7 @@
 
 using namespace snow;
 
-void run_triangles(Window& window)
+void run_triangles(Window& window, const SolidScene& solid)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
@@ -21,7 +21,6 @@ void run_triangles(Window& window)
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
-    const SolidScene& solid = window.shared<SolidScene>();
     const TriangleTexture triangles(solid.obstacle());
     const Ledger ledger;
 

@@ -17,7 +17,7 @@
 
 using namespace snow;
 
-void run(Window& window)
+void run(Window& window, const SolidScene& solid)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
@@ -26,7 +26,6 @@ void run(Window& window)
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
     SnowCover cover(options.voxels);
-    const SolidScene& solid = window.shared<SolidScene>();
     const Ledger ledger;
     Columns columns(solid, cover);
 
@@ -69,11 +68,11 @@ void run(Window& window)
                 particles.swap();
             }
         }
-        if (Columns::settling != 0) {
+        if (Columns::settling) {
             const auto stage = window.stage("settle");
             columns.settle(tick, window.ticks());
         }
-        if (Columns::melting != 0) {
+        if (Columns::melting) {
             const auto stage = window.stage("melt");
             columns.melt(tick, window.ticks(), weather);
         }
@@ -112,21 +111,32 @@ void run(Window& window)
     cover.report(solid.grid, options.dump_cover);
 }
 
-void run_winter(Window& window);  // winter.cpp
+void run_winter(Window& window, const SolidScene& solid);  // winter.cpp
 std::vector<Parameter> winter_parameters();
+
+// Reads the scene once, however often the snow begins anew.
+void load_and_run(Window& window)
+{
+    const SolidScene solid(window);
+    do {
+        if (window.options().variant == "winter")
+            run_winter(window, solid);
+        else
+            run(window, solid);
+    } while (window.restarted());
+}
 
 int main(int argc, char** argv)
 {
-    return run_lesson(
-        argc, argv,
-        {.name = "step06_accumulation",
-         .idea = "the snow of step 5, piling up on the scene: the full system",
-         .minimum_gl = 4.3,
-         .variants = {{"winter", run_winter, winter_parameters},
-                      {"cells", run, Columns::parameters}},
-         .has_scene = true,
-         .has_cover = true,
-         .limits = {
-             {GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"},
-             {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 2, "storage buffers in vertex shaders"}}});
+    Lesson lesson;
+    lesson.name = "step06_accumulation";
+    lesson.idea = "the snow of step 5, piling up on the scene: the full system";
+    lesson.minimum_gl = 4.3;
+    lesson.variants = {{"winter", load_and_run, winter_parameters()},
+                       {"cells", load_and_run, Columns::parameters()}};
+    lesson.has_scene = true;
+    lesson.has_cover = true;
+    lesson.limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"},
+                     {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 2, "storage buffers in vertex shaders"}};
+    return run_lesson(argc, argv, lesson);
 }

@@ -21,7 +21,7 @@ std::vector<Parameter> winter_parameters()
     return Winter::parameters();
 }
 
-void run_winter(Window& window)
+void run_winter(Window& window, const SolidScene& solid)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
@@ -30,7 +30,6 @@ void run_winter(Window& window)
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
     SnowCover cover(options.voxels);
-    const SolidScene& solid = window.shared<SolidScene>();
     const Ledger ledger;
     Columns columns(solid, cover);
     Winter winter(window, solid, columns);
@@ -73,11 +72,11 @@ void run_winter(Window& window)
                 particles.swap();
             }
         }
-        if (Columns::settling != 0) {
+        if (Columns::settling) {
             const auto stage = window.stage("settle");
             columns.settle(tick, window.ticks());
         }
-        if (Columns::melting != 0) {
+        if (Columns::melting) {
             const auto stage = window.stage("melt");
             columns.melt(tick, window.ticks(), weather);
         }

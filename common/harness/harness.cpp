@@ -56,7 +56,7 @@ void Harness::leave_off_what_is_costly()
     for (const snow::Parameter& parameter : command.parameters()) {
         // Once: who turns it on later has decided, too.
         if (!parameter.costly || !command.decided.insert(parameter.name).second) continue;
-        *parameter.value = 0;
+        parameter.set(0);
         names += std::string(names.empty() ? "" : ", ") + parameter.name;
     }
     if (!names.empty())
@@ -232,7 +232,7 @@ void Harness::on_key(unsigned char key)
     default:
         for (const snow::Parameter& parameter : command.parameters()) {
             if (parameter.key != 0 && std::toupper(key) == parameter.key)
-                *parameter.value = *parameter.value != 0 ? 0.0f : 1.0f;
+                parameter.set(1 - parameter.get());
         }
         break;
     }

@@ -21,7 +21,7 @@ std::string parameters_help(CommandLine command)
     text << "For --set NAME=VALUE (value here: in snow):\n";
     for (const snow::Parameter& parameter : command.parameters()) {
         text << "  " << parameter.name << std::string(14 - std::string(parameter.name).size(), ' ')
-             << *parameter.value << " " << parameter.unit << ", " << parameter.meaning
+             << parameter.get() << " " << parameter.unit << ", " << parameter.meaning
              << (parameter.costly ? " (0 in software)" : "") << "\n";
     }
     return text.str();
@@ -39,13 +39,14 @@ void apply_setting(const std::string& setting, CommandLine& command)
         const float value = std::strtof(text.c_str(), &end);
         // Written this way round, the comparison turns NaN away too.
         if (text.empty() || *end != '\0' ||
-            !(value >= parameter.minimum && value <= parameter.maximum)) {
+            !(value >= parameter.minimum && value <= parameter.maximum) ||
+            (parameter.is_switch() && value != 0 && value != 1)) {
             std::ostringstream range;
             range << name << " takes " << parameter.minimum << " to " << parameter.maximum << " "
                   << parameter.unit << ", not '" << setting << "'";
             throw CLI::ValidationError("--set", range.str());
         }
-        *parameter.value = value;
+        parameter.set(value);
         command.decided.insert(name);
         return;
     }
@@ -205,8 +206,7 @@ const Variant& CommandLine::chosen() const
 std::vector<snow::Parameter> CommandLine::parameters()
 {
     std::vector<snow::Parameter> all = snow::weather_parameters(weather);
-    if (chosen().parameters == nullptr) return all;
-    const std::vector<snow::Parameter> own = chosen().parameters();
+    const std::vector<snow::Parameter>& own = chosen().parameters;
     all.insert(all.end(), own.begin(), own.end());
     return all;
 }

@@ -62,19 +62,17 @@ void draw_times(const std::deque<FrameTime>& frames)
 // A slider, or a check box for a switch.
 void draw_parameter(const snow::Parameter& parameter)
 {
-    if (std::string_view(parameter.unit) == "on/off") {
-        bool on = *parameter.value != 0;
-        ImGui::Checkbox(parameter.label, &on);
-        *parameter.value = on ? 1.0f : 0.0f;
+    if (parameter.is_switch()) {
+        ImGui::Checkbox(parameter.label, std::get<bool*>(parameter.value));
     } else {
         char format[32];
         std::snprintf(format, sizeof format, "%%.3g %s", parameter.unit);
-        ImGui::SliderFloat(parameter.label, parameter.value, parameter.minimum, parameter.maximum,
-                           format, ImGuiSliderFlags_Logarithmic);
+        ImGui::SliderFloat(parameter.label, std::get<float*>(parameter.value), parameter.minimum,
+                           parameter.maximum, format, ImGuiSliderFlags_Logarithmic);
     }
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s\n--set %s=%g", parameter.meaning, parameter.name,
-                          double(*parameter.value));
+                          double(parameter.get()));
     }
 }
 

@@ -6,20 +6,12 @@
 #include "common/harness/streams.hpp"
 #include "common/window.hpp"
 
-void Window::run()
-{
-    harness_->command.chosen().run(*this);
-    while (harness_->controls.restart && !closing_) {
-        harness_->begin_run();
-        harness_->command.chosen().run(*this);
-    }
-}
-
 int run_lesson(int argc, char** argv, const Lesson& lesson)
 try {
     open_standard_streams();
     Window window(parse_command_line(argc, argv, lesson));
-    window.run();
+    do window.harness_->command.chosen().run(window);
+    while (window.restarted());
     return window.harness_->failed() || !flush_standard_output() ? 1 : 0;
 } catch (const std::bad_alloc&) {
     std::cerr << "error: not enough memory (try fewer --particles or --voxels)" << std::endl;

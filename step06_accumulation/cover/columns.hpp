@@ -17,7 +17,7 @@ public:
 
     // The switches "settling" and "melting".
     static std::vector<snow::Parameter> parameters();
-    inline static float settling = 1, melting = 1;
+    inline static bool settling = true, melting = true;
 
     // Time steps in a round, in which every column has its turn once.
     static constexpr unsigned turns = 64;

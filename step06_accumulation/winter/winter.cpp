@@ -1,11 +1,7 @@
 #include "step06_accumulation/winter/winter.hpp"
 
-Winter::Computed::Computed(Window& window)
-    : wind(window.shared<SolidScene>().grid), occlusion(window.shared<SolidScene>().grid)
-{}
-
 Winter::Winter(Window& window, const SolidScene& solid, const Columns& columns)
-    : solid_(solid), columns_(columns), computed_(window.shared<Computed>()),
+    : solid_(solid), columns_(columns), wind_(solid.grid), occlusion_(solid.grid),
       live_(window.options().weather.particles), daylight_(solid),
       smooth_snow_(columns, solid.grid.resolution), surface_(solid)
 {}
@@ -36,7 +32,7 @@ void Winter::choose_flakes(Window& window, const PingPong& particles)
 
 Program& Winter::use_in_wind(Permutations& all, const snow::Weather& weather) const
 {
-    return computed_.wind.use(all, weather);
+    return wind_.use(all, weather);
 }
 
 void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
@@ -45,7 +41,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
     ticks_before_ = window.ticks();
     camera_.update(window, tick);
     daylight_.update(weather, tick);
-    if (Daylight::shadow != 0) {
+    if (Daylight::shadow) {
         const auto stage = window.stage("shadow");
         shadow_map_.update(daylight_.light(), solid_.mesh, window.size());
     }
@@ -57,30 +53,29 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         Program& program = all.with(daylight_.parts());
         program.use();
         program.set_texture("shadow_map", SHADOW_UNIT, GL_TEXTURE_2D, shadow_map_.texture());
-        program.set_texture("sky_seen", SKY_SEEN_UNIT, GL_TEXTURE_3D,
-                            computed_.occlusion.texture());
+        program.set_texture("sky_seen", SKY_SEEN_UNIT, GL_TEXTURE_3D, occlusion_.texture());
         return program;
     };
     const glm::vec3 without_sky(0.10f, 0.13f, 0.20f);
     frame_.begin(window.size(), without_sky);
-    if (SnowSurface::scene != 0) {
+    if (SnowSurface::scene) {
         const auto stage = window.stage("scene");
         surface_.draw(weather, solid_.pictures, use_lit, [this](Program& program) {
             columns_.set_depth(program);
             program.set_texture("snow", SNOW_UNIT, GL_TEXTURE_3D, smooth_snow_.texture());
         });
     }
-    if (daylight_.light().lamp_is_on > 0 && SnowSurface::scene != 0) {
+    if (daylight_.light().lamp_is_on > 0 && SnowSurface::scene) {
         const auto stage = window.stage("lamp");
         lamp_.draw(daylight_.light(), solid_);
     }
-    if (Sky::sky != 0) {
+    if (Sky::sky) {
         const auto stage = window.stage("sky");
         sky_.draw(daylight_.light());
     }
-    if (WindField::arrows != 0) {
+    if (WindField::arrows) {
         const auto stage = window.stage("arrows");
-        arrows_.draw(computed_.wind, solid_, weather, tick);
+        arrows_.draw(wind_, solid_, weather, tick);
     }
     frame_.end_edges();
     if (daylight_.light().lamp_is_on > 0 && daylight_.light().extinction > 0) {
@@ -89,7 +84,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         lamp_.draw_halo(frame_.depth());
         frame_.attach_depth();
     }
-    if (Flakes::sorted != 0) {
+    if (Flakes::sorted) {
         const auto stage = window.stage("sort");
         depth_order_.sort(particles, live_);
     }
@@ -97,7 +92,7 @@ void Winter::draw(Window& window, unsigned tick, const PingPong& particles)
         const auto stage = window.stage("draw");
         glBindVertexArray(particles.vao());
         flakes_.draw(window, use_lit, [this] {
-            if (Flakes::sorted != 0) return depth_order_.draw();
+            if (Flakes::sorted) return depth_order_.draw();
             for (const Range& half : live_) glDrawArrays(GL_POINTS, half.first, half.count);
         });
     }

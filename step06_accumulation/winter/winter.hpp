@@ -44,13 +44,8 @@ public:
 private:
     const SolidScene& solid_;
     const Columns& columns_;
-    // What takes long to compute, and stays when the snow begins anew.
-    struct Computed {
-        explicit Computed(Window& window);
-        WindField wind;
-        AmbientOcclusion occlusion;
-    };
-    const Computed& computed_;
+    WindField wind_;
+    AmbientOcclusion occlusion_;
     int ticks_before_ = 0;  // time steps of the frame before
     FlakeBudget budget_;
     LiveFlakes live_;

@@ -290,7 +290,7 @@ TEST(Physics, StaysFiniteAndAboveGroundInTheWildestWeather)
     for (uint corner = 0; corner < 1u << parameters.size(); ++corner) {
         weather.seed = corner;
         for (size_t i = 0; i < parameters.size(); ++i) {
-            *parameters[i].value = corner >> i & 1 ? parameters[i].maximum : parameters[i].minimum;
+            parameters[i].set(corner >> i & 1 ? parameters[i].maximum : parameters[i].minimum);
         }
         std::vector<Particle> flakes = make_flakes(weather);
         for (Particle& flake : flakes) flake.age *= 0.01f;  // no long wait for the first birth
@@ -417,8 +417,8 @@ TEST(Weather, KnowsItsPresetsAndNoOthers)
         EXPECT_LT(weather.emitters[0].terminal_speed, weather.emitters[1].terminal_speed) << preset;
         EXPECT_LT(weather.emitters[0].diameter, weather.emitters[1].diameter) << preset;
         for (const Parameter& parameter : weather_parameters(weather)) {
-            EXPECT_GE(*parameter.value, parameter.minimum) << preset << " " << parameter.name;
-            EXPECT_LE(*parameter.value, parameter.maximum) << preset << " " << parameter.name;
+            EXPECT_GE(parameter.get(), parameter.minimum) << preset << " " << parameter.name;
+            EXPECT_LE(parameter.get(), parameter.maximum) << preset << " " << parameter.name;
         }
     }
     EXPECT_THROW(make_weather("sunshine", 100, 1), std::invalid_argument);

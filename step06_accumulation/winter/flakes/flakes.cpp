@@ -36,16 +36,16 @@ void Flakes::draw(const Window& window, const UseProgram& use_lit,
 {
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
-    if (billboards != 0) {
+    if (billboards) {
         const auto draw_with = [&](Permutations& all) {
             Program& program = use_lit(all);
-            program.set("blur", blur != 0 ? 1 : 0);
+            program.set("blur", blur ? 1 : 0);
             program.set("colours", int(std::lround(colours)));
             program.set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals_);
             draw_points();
         };
         draw_with(billboard_);
-        if (splashes != 0 && window.options().weather.kind == snow::rain_kind) draw_with(splash_);
+        if (splashes && window.options().weather.kind == snow::rain_kind) draw_with(splash_);
     } else {
         sprite_.use();
         sprite_.set("view", window.view());

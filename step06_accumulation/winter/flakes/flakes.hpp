@@ -14,7 +14,7 @@ public:
     Flakes();
 
     static std::vector<snow::Parameter> parameters();
-    inline static float billboards = 1, splashes = 1, blur = 1, sorted = 0;  // switches
+    inline static bool billboards = true, splashes = true, blur = true, sorted = false;
     inline static float colours = 0;  // 0 their own, 1 by speed, 2 by age, 3 by emitter
 
     // Draws what draw_points draws as points, a flake each.

@@ -123,8 +123,8 @@ void Daylight::update(const snow::Weather& weather, unsigned tick)
     const float h = glm::radians(height);
     light_.to_sun = {std::cos(h) * std::sin(direction), std::sin(h),
                      std::cos(h) * std::cos(direction)};
-    light_.has_shadow = shadow;
-    light_.has_occlusion = occlusion;
+    light_.has_shadow = float(shadow);
+    light_.has_occlusion = float(occlusion);
 
     // What falling snow takes from the sun: of the light that it scatters, four fifths go on nearly
     // straight and are not lost (Joseph, Wiscombe and Weinman, "The delta-Eddington
@@ -133,7 +133,7 @@ void Daylight::update(const snow::Weather& weather, unsigned tick)
     const float layer = weather.emitters[1].centre.y;  // m, from the ground up to the clouds
     const float clear = std::exp(-0.2f * snowy_air * layer / std::max(std::sin(h), 0.1f));
     light_.sun = clear * brightness;
-    light_.extinction = fog != 0 ? snowy_air : 0.0f;
+    light_.extinction = fog ? snowy_air : 0.0f;
     const vec3 lost =
         0.5f * (1 - clear) * std::max(std::sin(h), 0.0f) * brightness;  // the other half goes up
 
@@ -151,7 +151,7 @@ void Daylight::update(const snow::Weather& weather, unsigned tick)
     light_.ground =
         mix(0.2f, 0.7f, white) * (light_.sky + std::max(light_.to_sun.y, 0.0f) * light_.sun);
 
-    const bool has_lamp = lamp != 0 && lamp_light_ != vec3(0);
+    const bool has_lamp = lamp && lamp_light_ != vec3(0);
     light_.lamp_is_on = has_lamp ? 1 - smoothstep(0.0f, 4.0f, sun_height) : 0.0f;
     light_.lamp = light_.lamp_is_on * lamp_light_;
 

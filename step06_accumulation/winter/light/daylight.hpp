@@ -20,8 +20,8 @@ public:
     explicit Daylight(const SolidScene& solid);
 
     static std::vector<snow::Parameter> parameters();
-    inline static float shadow = 1, occlusion = 1, fog = 1, lamp = 1;  // switches
-    inline static float sun_height = 20, sun_direction = 118;          // degrees
+    inline static bool shadow = true, occlusion = true, fog = true, lamp = true;
+    inline static float sun_height = 20, sun_direction = 118;  // degrees
 
     // tick: time steps made since the first flake.
     void update(const snow::Weather& weather, unsigned tick);

@@ -31,10 +31,10 @@ void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ive
     // with one.
     glBindTexture(GL_TEXTURE_2D, depth_);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, soft_shadows != 0 ? GL_LINEAR : GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, filter, soft_shadows ? GL_LINEAR : GL_NEAREST);
     // Hard edges are for what is slow, where more of a small map fits into the cache; but in a
     // landscape one would see its texels.
-    const GLsizei texels = soft_shadows == 0 && light.grid_size < 40 ? 1024 : 2048;
+    const GLsizei texels = !soft_shadows && light.grid_size < 40 ? 1024 : 2048;
     if (texels != texels_) {
         texels_ = texels;
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels, texels, 0, GL_DEPTH_COMPONENT,

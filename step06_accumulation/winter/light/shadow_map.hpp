@@ -16,7 +16,7 @@ public:
     ShadowMap();
 
     static std::vector<snow::Parameter> parameters();
-    inline static float soft_shadows = 1;  // a switch
+    inline static bool soft_shadows = true;
 
     // Draws the map anew if the sun has moved; the scene never does. window: its size, pixels.
     void update(const snow::Light& light, const SceneMesh& mesh, glm::ivec2 window);

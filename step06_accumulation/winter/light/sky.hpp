@@ -13,7 +13,7 @@ public:
     Sky();
 
     static std::vector<snow::Parameter> parameters();
-    inline static float sky = 1;  // a switch
+    inline static bool sky = true;
 
     void draw(const snow::Light& light);
 

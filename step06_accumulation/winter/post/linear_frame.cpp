@@ -12,7 +12,7 @@ void LinearFrame::begin(glm::ivec2 size, glm::vec3 background)
 {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
-    const int samples = multisample != 0 ? std::min(4, most) : 1;
+    const int samples = multisample ? std::min(4, most) : 1;
     if (size != size_ || samples != samples_) {
         size_ = size;
         allocate(samples);

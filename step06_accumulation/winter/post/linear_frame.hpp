@@ -12,7 +12,7 @@
 class LinearFrame {
 public:
     static std::vector<snow::Parameter> parameters();
-    inline static float multisample = 1;  // a switch
+    inline static bool multisample = true;
 
     // All that follows is drawn into it. Clears it to `background`. size: of the window, pixels.
     void begin(glm::ivec2 size, glm::vec3 background);

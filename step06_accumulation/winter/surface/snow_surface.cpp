@@ -264,14 +264,14 @@ void SnowSurface::draw(const snow::Weather& weather, const ScenePictures& pictur
         set_grain(program);
         return program;
     };
-    const bool dusted = dusting != 0 && weather.wind != glm::vec3(0);
+    const bool dusted = dusting && weather.wind != glm::vec3(0);
     Program& on_walls = use_lit(dusted ? on_dusted_ : on_bare_);
     if (dusted) set_grain(on_walls);
     draw(GL_TRIANGLES, bare_, on_walls, &pictures);
-    Programs& programs = sparkle != 0 ? sparkling_ : plain_;
+    Programs& programs = sparkle ? sparkling_ : plain_;
     Program& on_snow = use_on_snow(programs.as_is);
     draw(GL_TRIANGLES, fine_, on_snow, &pictures);
-    if (tessellation != 0) {
+    if (tessellation) {
         Program& tessellated = use_on_snow(programs.tessellated);
         tessellated.set("fine_enough", fine_enough_);
         glPatchParameteri(GL_PATCH_VERTICES, 3);

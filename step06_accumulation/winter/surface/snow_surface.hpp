@@ -44,7 +44,7 @@ public:
     explicit SnowSurface(const SolidScene& solid);
 
     static std::vector<snow::Parameter> parameters();
-    inline static float scene = 1, tessellation = 1, dusting = 1, sparkle = 1;  // switches
+    inline static bool scene = true, tessellation = true, dusting = true, sparkle = true;
 
     // set_snow gives a program in use the textures of the snow.
     void draw(const snow::Weather& weather, const ScenePictures& pictures,

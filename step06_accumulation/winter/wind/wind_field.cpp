@@ -258,7 +258,7 @@ std::vector<snow::Parameter> WindField::parameters()
 
 Program& WindField::use(Permutations& all, const snow::Weather& weather) const
 {
-    const bool flows = wind_field != 0 && (weather.wind.x != 0 || weather.wind.z != 0);
+    const bool flows = wind_field && (weather.wind.x != 0 || weather.wind.z != 0);
     Program& program = all.with(flows ? "#define AROUND_THE_SCENE\n" : "");
     program.use();
     program.set("gusts", gusts);

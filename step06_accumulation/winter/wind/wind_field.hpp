@@ -38,7 +38,7 @@ public:
     explicit WindField(const VoxelGrid& grid);
 
     static std::vector<snow::Parameter> parameters();
-    inline static float wind_field = 1, arrows = 0;  // switches
+    inline static bool wind_field = true, arrows = false;
     inline static float gusts = 0.3f;
 
     // Puts a program to use whose shaders include wind_field.glsl, and gives it the flows.

@@ -6,7 +6,8 @@
 
 namespace {
 
-float a_switch = 1, a_number = 5;
+bool a_switch = true;
+float a_number = 5;
 
 std::vector<snow::Parameter> own_parameters()
 {
@@ -26,10 +27,8 @@ ImVec2 size_for(const char* variant, ImVec2 screen, bool unfolded)
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
 
     CommandLine command;
-    command.lesson = {.name = "panel",
-                      .idea = "a test",
-                      .minimum_gl = 1.5,
-                      .variants = {{"plain", nullptr}, {"fancy", nullptr, own_parameters}}};
+    command.lesson.name = "panel";
+    command.lesson.variants = {{"plain", nullptr}, {"fancy", nullptr, own_parameters()}};
     command.variant = variant;
     command.weather = snow::make_weather("snow", 100, 1);
     Controls controls;

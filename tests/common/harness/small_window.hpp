@@ -7,10 +7,9 @@
 inline CommandLine small_window(double minimum_gl, unsigned flakes = 7)
 {
     CommandLine command;
-    command.lesson = {.name = "test",
-                      .idea = "a test",
-                      .minimum_gl = minimum_gl,
-                      .variants = {{"plain", nullptr}}};
+    command.lesson.name = "test";
+    command.lesson.minimum_gl = minimum_gl;
+    command.lesson.variants = {{"plain", nullptr}};
     command.variant = "plain";
     command.weather = snow::make_weather("snow", flakes, 1);
     command.size = {64, 64};

@@ -17,7 +17,7 @@ TEST(Tessellation, DividesNothingWhereNoSnowLies)
     command.frames = 1;
     Window window(command);
     SnowCover cover(command.voxels);
-    const SolidScene& solid = window.shared<SolidScene>();
+    const SolidScene solid(window);
     Columns columns(solid, cover);
     Winter winter(window, solid, columns);
     PingPong particles(make_flakes(command.weather));
@@ -25,7 +25,7 @@ TEST(Tessellation, DividesNothingWhereNoSnowLies)
     GLuint query = 0, triangles[2] = {};
     glGenQueries(1, &query);
     for (const int tessellated : {0, 1}) {
-        SnowSurface::tessellation = float(tessellated);
+        SnowSurface::tessellation = tessellated == 1;
         glBeginQuery(GL_PRIMITIVES_GENERATED, query);
         winter.draw(window, 0, particles);
         glEndQuery(GL_PRIMITIVES_GENERATED);
