@@ -3,8 +3,8 @@
 
 // Uniform blocks
 #define WEATHER_BLOCK 0
-#define CAMERA_BLOCK 1
-#define LIGHT_BLOCK 2
+#define GRID_BLOCK 1    // of voxels
+#define FRAME_BLOCK 2   // of the winter
 
 // Buffers that shaders write
 #define FEEDBACK_BUFFER 0   // transform feedback
@@ -20,19 +20,18 @@
 #define POSITION_AGE_UNIT 1
 #define VELOCITY_REST_UNIT 2
 #define VOXELS_UNIT 3
-#define TRIANGLES_UNIT 3  // instead of voxels
 #define DEPTH_UNIT 4      // of the snow
 #define WIND_X_UNIT 5
 #define WIND_Z_UNIT 6
 #define SHADOW_UNIT 7
-#define SKY_SEEN_UNIT 8
+#define SKY_VISIBILITY_UNIT 8
 #define PICTURE_UNIT 9  // of a surface of the scene
 #define SNOW_UNIT 10    // the snow, smooth
 #define GRAIN_UNIT 11   // of it
-#define FRAME_UNIT 12   // its light
-#define FRAME_DEPTH_UNIT 13
-#define GLOW_UNIT 14
-#define TERRAIN_UNIT 15  // how high the ground stands
+#define FRAME_UNIT 12   // the picture, linear
+#define GLOW_UNIT 13
+#define TERRAIN_UNIT 14  // how high the ground stands
+#define TRIANGLES_UNIT 15
 
 // Image units
 #define DEPTH_IMAGE 0

@@ -35,6 +35,10 @@ private:
 // To be called after a large allocation. Throws std::runtime_error if OpenGL had no memory for it.
 void check_memory(const char* what, double bytes);
 
+// To be called with a framebuffer bound that is complete now. Throws std::runtime_error if this card
+// cannot draw to what is attached.
+void check_framebuffer(const char* what);
+
 // To be called after reading back. Throws std::runtime_error if OpenGL has not delivered.
 void check_read_back(const char* what);
 
@@ -71,4 +75,11 @@ inline GlObject make_renderbuffer()
     GLuint id = 0;
     glGenRenderbuffers(1, &id);
     return {id, [](GLuint renderbuffer) { glDeleteRenderbuffers(1, &renderbuffer); }};
+}
+
+// Binds a texture to a unit of bindings.glsl, at which a shader's layout(binding = ...) finds it.
+inline void bind_texture(GLuint unit, GLenum target, GLuint texture)
+{
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(target, texture);
 }

@@ -14,11 +14,13 @@ public:
         glBufferData(GL_UNIFORM_BUFFER, sizeof(T), nullptr, GL_DYNAMIC_DRAW);
     }
 
-    // Makes `contents` what every program in which the block has this binding point reads from now
-    // on.
+    // Every program in which the block has this binding point reads from this one from now on.
+    void bind(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer_); }
+
+    // The same, with new contents.
     void update(GLuint binding, const T& contents)
     {
-        glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer_);
+        bind(binding);
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof contents, &contents);
     }
 

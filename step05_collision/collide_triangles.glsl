@@ -2,10 +2,10 @@
 // scene is large. Kept for the comparison with voxels ("Simulating Snowfall and Accumulation Through the
 // GPU", 3.2.3, tests all triangles for each flake).
 
+#include "common/bindings.glsl"
 #include "common/snow.glsl"
 
-uniform samplerBuffer triangles;  // three texels each: the corners, m
-uniform int triangle_count;
+layout(binding = TRIANGLES_UNIT) uniform samplerBuffer triangles;  // three texels each: the corners, m
 
 // Where the way from `from` along `way` meets a triangle: the fraction of the way, or 2 if it does not
 // (Moller and Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", 1997).
@@ -27,7 +27,7 @@ float meet(vec3 from, vec3 way, vec3 a, vec3 b, vec3 c)
 bool open_sky(vec3 position)
 {
     const vec3 up = vec3(0.0, 1000.0, 0.0);  // m
-    for (int i = 0; i < triangle_count; ++i) {
+    for (int i = 0; 3 * i < textureSize(triangles); ++i) {
         vec3 a = texelFetch(triangles, 3 * i).xyz;
         vec3 b = texelFetch(triangles, 3 * i + 1).xyz;
         vec3 c = texelFetch(triangles, 3 * i + 2).xyz;
@@ -44,7 +44,7 @@ Particle collide(vec3 from, Particle p, Weather weather)
         vec3 way = p.position - from;
         float nearest = 2.0;
         vec3 normal = vec3(0.0);
-        for (int i = 0; i < triangle_count; ++i) {
+        for (int i = 0; 3 * i < textureSize(triangles); ++i) {
             vec3 a = texelFetch(triangles, 3 * i).xyz;
             vec3 b = texelFetch(triangles, 3 * i + 1).xyz;
             vec3 c = texelFetch(triangles, 3 * i + 2).xyz;

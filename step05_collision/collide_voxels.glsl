@@ -2,11 +2,10 @@
 
 #include "common/snow.glsl"
 #include "step05_collision/voxels.glsl"
+#include "step05_collision/voxel_walk.glsl"
+#include "step05_collision/open_sky.glsl"
 
 bool solid(ivec3 cell)
 {
     return in_scene(cell);
 }
-
-#include "step05_collision/voxel_walk.glsl"
-#include "step05_collision/open_sky.glsl"

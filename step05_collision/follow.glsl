@@ -1,8 +1,10 @@
 // With --follow the clouds stay above the camera, and what leaves the air under them on one side enters on the
-// other: see wrapped in common/snow.glsl. Whoever includes this has defined open_sky(position): does nothing
-// stand there, or above?
+// other: see wrapped in common/snow.glsl.
 
+#include "common/weather_block.glsl"
 #include "step05_collision/terrain.glsl"
+
+bool open_sky(vec3 position);  // does nothing stand there, or above?
 
 // Takes the flake to the other side if it has left, as high above the ground there as it was here. Returns false
 // if no snow can be falling there, under a roof or in a wall: then it is to be born again.

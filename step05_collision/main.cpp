@@ -1,8 +1,7 @@
-// Step 5: same as step 4, but there is a scene, and the snow lands on it. At the start the CPU
-// divides space into voxels and marks those that the scene fills, one bit each; every frame each
-// flake looks up the few voxels on its way. The cost is per flake, not per triangle. New calls:
-// glTexImage3D, texelFetch and atomicCounterIncrement in the shader, glEnable(GL_DEPTH_TEST), and
-// glDrawElements (in scene_mesh.cpp).
+// Step 5: same as step 4, but there is a scene, and the snow lands on it. Voxels, one bit each,
+// tell what it fills; every frame each flake looks up the few on its way. The cost is per flake,
+// not per triangle. New calls: glTexImage3D, texelFetch and atomicCounterIncrement in the shader,
+// glEnable(GL_DEPTH_TEST), glDrawElements (in scene_mesh.cpp).
 
 #include <GL/glew.h>
 
@@ -12,6 +11,7 @@
 #include "step04_transform_feedback/ping_pong.hpp"
 #include "step05_collision/ledger.hpp"
 #include "step05_collision/solid_scene.hpp"
+#include "step05_collision/triangle_texture.hpp"
 
 using namespace snow;
 
@@ -19,14 +19,17 @@ void run(Window& window, const SolidScene& solid)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
+    const bool no_voxels = options.variant == "triangles";  // all of them for each flake
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
+    const TriangleTexture triangles(no_voxels ? solid.obstacle() : Scene{});
     const Ledger ledger;
 
     UniformBlock<Weather> weather_block;
-    Program update({{GL_VERTEX_SHADER, "step05_collision/update.vert"}},
+    Program update({{GL_VERTEX_SHADER, no_voxels ? "step05_collision/update_triangles.vert"
+                                                 : "step05_collision/update.vert"}},
                    {"position", "age", "velocity", "rest"});
     Program surface({{GL_VERTEX_SHADER, "step05_collision/scene.vert"},
                      {GL_FRAGMENT_SHADER, "step05_collision/scene.frag"}});
@@ -46,8 +49,8 @@ void run(Window& window, const SolidScene& solid)
         {
             const auto stage = window.stage("update");
             update.use();
-            set_voxels(update, solid);
-            set_terrain(update, solid);
+            solid.bind();
+            triangles.bind();
             ledger.bind();
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);
@@ -68,7 +71,7 @@ void run(Window& window, const SolidScene& solid)
             surface.set("projection", window.projection());
             surface.set("eye", window.eye());
             surface.set("fog", sky);
-            draw_scene(surface, solid);
+            solid.draw(surface);
         }
         {
             const auto stage = window.stage("draw");
@@ -90,30 +93,22 @@ void run(Window& window, const SolidScene& solid)
     ledger.print(flakes);
 }
 
-void run_triangles(Window& window, const SolidScene& solid);  // triangles.cpp
-
-// Reads the scene once, however often the snow begins anew.
-void load_and_run(Window& window)
-{
-    const SolidScene solid(window);
-    do {
-        if (window.options().variant == "triangles")
-            run_triangles(window, solid);
-        else
-            run(window, solid);
-    } while (window.restarted());
-}
-
 int main(int argc, char** argv)
 {
+    // Reads the scene once, however often the snow begins anew.
+    const auto load_and_run = [](Window& window) {
+        const SolidScene solid(window);
+        do {
+            run(window, solid);
+        } while (window.restarted());
+    };
     Lesson lesson;
     lesson.name = "step05_collision";
     lesson.idea = "the snow of step 4, landing on a scene that the GPU knows as voxels";
     lesson.minimum_gl = 3.3;
     lesson.variants = {{"voxels", load_and_run}, {"triangles", load_and_run}};
     lesson.has_scene = true;
-    lesson.extensions = {"GL_ARB_shader_atomic_counters",
-                         "GL_ARB_shader_image_load_store"};  // which has glMemoryBarrier
+    lesson.extensions = {"GL_ARB_shader_atomic_counters", "GL_ARB_shader_image_load_store"};
     lesson.limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"}};
     return run_lesson(argc, argv, lesson);
 }

@@ -3,7 +3,7 @@
 
 bool open_sky(vec3 position)
 {
-    for (ivec3 cell = cell_of(position); cell.y < resolution; ++cell.y) {
+    for (ivec3 cell = cell_of(position); cell.y < grid.resolution; ++cell.y) {
         if (solid(cell)) return false;
     }
     return true;

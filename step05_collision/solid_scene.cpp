@@ -56,33 +56,22 @@ SolidScene::SolidScene(Window& window)
         ground = terrain_of(obstacle());
         window.stand_on(ground);
     }
-    terrain_half_size = ground.half_size;
     terrain = upload_terrain(ground);
+    block.update(GRID_BLOCK,
+                 {grid.origin, grid.cell_size, grid.resolution, ground.half_size, 0, 0});
 }
 
-void set_grid(Program& program, const VoxelGrid& grid)
+void SolidScene::bind() const
 {
-    program.set("grid_origin", grid.origin);
-    program.set("cell_size", grid.cell_size);
-    program.set("resolution", grid.resolution);
+    block.bind(GRID_BLOCK);
+    bind_texture(VOXELS_UNIT, GL_TEXTURE_3D, voxels);
+    bind_texture(TERRAIN_UNIT, GL_TEXTURE_2D, terrain);
 }
 
-void set_voxels(Program& program, const SolidScene& solid)
+void SolidScene::draw(Program& program) const
 {
-    set_grid(program, solid.grid);
-    program.set_texture("voxels", VOXELS_UNIT, GL_TEXTURE_3D, solid.voxels);
-}
-
-void set_terrain(Program& program, const SolidScene& solid)
-{
-    program.set_texture("terrain", TERRAIN_UNIT, GL_TEXTURE_2D, solid.terrain);
-    program.set("terrain_half_size", solid.terrain_half_size);
-}
-
-void draw_scene(Program& program, const SolidScene& solid)
-{
-    for (size_t i = 0; i < solid.drawn.submeshes.size(); ++i) {
-        solid.pictures.set(program, i);
-        solid.mesh.draw(solid.drawn.submeshes[i]);
+    for (size_t i = 0; i < drawn.submeshes.size(); ++i) {
+        pictures.set(program, i);
+        mesh.draw(drawn.submeshes[i]);
     }
 }

@@ -5,6 +5,7 @@
 
 #include "common/program.hpp"
 #include "common/scene/scene.hpp"
+#include "common/uniform_block.hpp"
 #include "step05_collision/scene_mesh.hpp"
 #include "step05_collision/scene_pictures.hpp"
 #include "step05_collision/voxel_grid.hpp"
@@ -17,22 +18,19 @@ struct SolidScene {
     // The triangles that flakes land on.
     const Scene& obstacle() const { return collision ? *collision : scene; }
 
+    // Hands the shaders the voxels (voxels.glsl) and the height of the ground (terrain.glsl).
+    void bind() const;
+
+    // Draws the scene, material by material, with the program in use (picture.glsl).
+    void draw(Program& program) const;
+
     Scene scene;
     std::optional<Scene> collision;  // to be landed on instead: --collision
     VoxelGrid grid;                  // of the obstacle
     GlObject voxels;                 // the grid on the GPU
+    GlObject terrain;                // the height of the ground on the GPU
+    UniformBlock<snow::Grid> block;  // where both lie in the world
     Scene drawn;                     // the scene, and the ground beside the obstacle
     SceneMesh mesh;                  // the same on the GPU
     ScenePictures pictures;          // on it
-    float terrain_half_size;         // m, see terrain.glsl
-    GlObject terrain;                // on the GPU
 };
-
-// Gives the program in use the grid's place in the world (grid.glsl), and with it its voxels
-// (voxels.glsl), or how high the ground stands (terrain.glsl).
-void set_grid(Program& program, const VoxelGrid& grid);
-void set_voxels(Program& program, const SolidScene& solid);
-void set_terrain(Program& program, const SolidScene& solid);
-
-// Draws the scene, material by material, with the program in use (picture.glsl).
-void draw_scene(Program& program, const SolidScene& solid);

@@ -5,14 +5,14 @@
 #include <vector>
 
 TriangleTexture::TriangleTexture(const Scene& scene)
-    : count_(int(scene.indices.size() / 3)), buffer_(make_buffer()), texture_(make_texture())
+    : buffer_(make_buffer()), texture_(make_texture())
 {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
-    if (3 * count_ > largest) {
+    if (scene.indices.size() > size_t(largest)) {
         throw std::runtime_error("--variant triangles: this card's buffer textures hold " +
                                  std::to_string(largest / 3) + " triangles, not " +
-                                 std::to_string(count_));
+                                 std::to_string(scene.indices.size() / 3));
     }
     std::vector<glm::vec4> corners;
     for (size_t i = 0; i < scene.indices.size(); ++i)
@@ -23,10 +23,4 @@ TriangleTexture::TriangleTexture(const Scene& scene)
     check_memory("the triangles", double(corners.size() * sizeof(glm::vec4)));
     glBindTexture(GL_TEXTURE_BUFFER, texture_);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_);
-}
-
-void TriangleTexture::set(Program& program) const
-{
-    program.set("triangle_count", count_);
-    program.set_texture("triangles", TRIANGLES_UNIT, GL_TEXTURE_BUFFER, texture_);
 }

@@ -2,7 +2,8 @@
 // bytes each.
 #pragma once
 
-#include "common/program.hpp"
+#include "common/bindings.glsl"
+#include "common/gl_object.hpp"
 #include "common/scene/scene.hpp"
 
 class TriangleTexture {
@@ -10,10 +11,9 @@ public:
     // Throws std::runtime_error if the card cannot hold them.
     explicit TriangleTexture(const Scene& scene);
 
-    // Gives them to the program in use.
-    void set(Program& program) const;
+    // Hands them to the shaders (collide_triangles.glsl).
+    void bind() const { bind_texture(TRIANGLES_UNIT, GL_TEXTURE_BUFFER, texture_); }
 
 private:
-    int count_;
     GlObject buffer_, texture_;
 };

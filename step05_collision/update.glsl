@@ -1,10 +1,11 @@
 // One time step of one flake, as in step 4, with the scene in its way. What happens to it is counted.
-// Whoever includes this has defined collide(from, p, weather): what becomes of a flake p that has just
-// moved in a straight line from `from`; and open_sky(position), see follow.glsl.
 
 #include "step04_transform_feedback/flake_state.glsl"
 #include "step05_collision/follow.glsl"
 #include "step05_collision/ledger.glsl"
+
+// What becomes of a flake p that has just moved in a straight line from `from`.
+Particle collide(vec3 from, Particle p, Weather weather);
 
 void main()
 {

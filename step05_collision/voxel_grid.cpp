@@ -1,7 +1,6 @@
 #include "step05_collision/voxel_grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -24,9 +23,12 @@ public:
     }
 
 private:
-    // triangles: those that touch the cube of `size` voxels at `corner`.
-    void divide(ivec3 corner, int size, const std::vector<uint32_t>& triangles)
+    // triangles: those that touch the cube of `size` voxels at `corner`. done: the fraction of all
+    // space that has been divided before it; share: the cube's own.
+    void divide(ivec3 corner, int size, const std::vector<uint32_t>& triangles, double done = 0,
+                double share = 1)
     {
+        if (size >= 8 && progress_.due()) progress_.report(done);
         if (triangles.empty()) return;
         if (size == 1) {
             const size_t row = size_t(corner.z) * size_t(grid_.resolution) + size_t(corner.y);
@@ -54,22 +56,8 @@ private:
                 inside.push_back(triangle);
                 if (half == 1) break;  // one is enough for a voxel
             }
-            divide(child_corner, half, inside);
+            divide(child_corner, half, inside, done + child * share / 8, share / 8);
         }
-        if (size == 8) report(corner);
-    }
-
-    // Children come in order of x, then y, then z, so each eighth of the work is one eighth of
-    // space.
-    void report(ivec3 corner)
-    {
-        if (!progress_.due()) return;
-        double done = 0;
-        for (int half = grid_.resolution / 2, eighth = 1; half >= 8; half /= 2, ++eighth) {
-            const ivec3 bit = (corner / half) % 2;
-            done += (bit.x + 2 * bit.y + 4 * bit.z) * std::pow(0.125, eighth);
-        }
-        progress_.report(done);
     }
 
     const Scene& scene_;

@@ -7,6 +7,12 @@
 
 #include "common/gl_object.hpp"
 #include "common/scene/scene.hpp"
+#include "common/snow.hpp"
+
+namespace snow {
+#include "step05_collision/grid.glsl"
+static_assert(sizeof(Grid) == 32, "the layout std140 gives it");
+}  // namespace snow
 
 struct VoxelGrid {
     int resolution;               // voxels along each edge, a power of two, at least 32
@@ -22,7 +28,7 @@ VoxelGrid place_grid(const Scene& scene, int resolution);
 
 // Marks every voxel that a triangle of the scene touches, by dividing space as an octree does: a
 // cube that no triangle touches is done with, any other is divided into eight, down to single
-// voxels. Says on stderr how far it is if that takes longer than half a second.
+// voxels. Says on stderr how far it is.
 VoxelGrid voxelise(const Scene& scene, int resolution);
 
 // The grid as an R32UI 3D texture of resolution/32 x resolution x resolution words, bound to

@@ -1,17 +1,19 @@
-// Where a flake's way ends in a grid of voxels: GLSL and C++, like common/snow.glsl. Whoever includes
-// this has defined `bool solid(ivec3 cell)` and grid_origin (m) and cell_size (m).
+// Where a flake's way ends in a grid of voxels: GLSL and C++, like common/snow.glsl, over a `grid` of
+// voxels (grid.glsl) and what counts as solid in it.
+
+bool solid(ivec3 cell);
 
 // The cell that a point lies in.
 SNOW_INLINE ivec3 cell_of(vec3 position)
 {
-    return ivec3(floor((position - grid_origin) / cell_size));
+    return ivec3(floor((position - grid.origin) / grid.cell_size));
 }
 
 // The point of the cell nearest to `position`, a hair inside its faces and not below the ground.
 SNOW_INLINE vec3 inside_cell(vec3 position, ivec3 cell)
 {
-    vec3 corner = grid_origin + cell_size * vec3(cell);
-    vec3 inside = clamp(position, corner + 0.001f * cell_size, corner + 0.999f * cell_size);
+    vec3 corner = grid.origin + grid.cell_size * vec3(cell);
+    vec3 inside = clamp(position, corner + 0.001f * grid.cell_size, corner + 0.999f * grid.cell_size);
     inside.y = max(inside.y, 0.0f);
     return inside;
 }
@@ -32,9 +34,9 @@ SNOW_INLINE Particle collide(vec3 from, Particle p, SNOW_IN(Weather) weather)
         // face to the next. Clamped: where the way is as short as a rounding error, so is its divisor.
         vec3 t_max, t_delta;
         for (int axis = 0; axis < 3; ++axis) {
-            float face = grid_origin[axis] + cell_size * float(cell[axis] + (faces[axis] > 0 ? 1 : 0));
+            float face = grid.origin[axis] + grid.cell_size * float(cell[axis] + (faces[axis] > 0 ? 1 : 0));
             t_max[axis] = faces[axis] == 0 ? finished : clamp((face - from[axis]) / way[axis], 0.0f, 1.0f);
-            t_delta[axis] = faces[axis] == 0 ? 0.0f : cell_size / abs(way[axis]);
+            t_delta[axis] = faces[axis] == 0 ? 0.0f : grid.cell_size / abs(way[axis]);
         }
         int blocked = -1;  // the axis along which a solid cell is in the way
         int direction = 0;

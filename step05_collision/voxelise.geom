@@ -18,8 +18,8 @@ void main()
     int axis = normal.x > normal.y ? (normal.x > normal.z ? 0 : 2) : (normal.y > normal.z ? 1 : 2);
     vec3 least = min(corner[0], min(corner[1], corner[2])), most = max(corner[0], max(corner[1], corner[2]));
     // One more on each side, whatever rounding does: which voxels they touch is found out there.
-    vec3 low = floor((least - grid_origin) / cell_size) - 1.0;
-    vec3 high = floor((most - grid_origin) / cell_size) + 2.0;
+    vec3 low = floor((least - grid.origin) / grid.cell_size) - 1.0;
+    vec3 high = floor((most - grid.origin) / grid.cell_size) + 2.0;
     int across = (axis + 1) % 3, up = (axis + 2) % 3;
     for (int i = 0; i < 4; ++i) {
         a = corner[0];
@@ -27,7 +27,7 @@ void main()
         c = corner[2];
         along = axis;
         vec2 cell = vec2((i & 1) == 0 ? low[across] : high[across], i < 2 ? low[up] : high[up]);
-        gl_Position = vec4(2.0 * cell / float(resolution) - 1.0, 0.0, 1.0);
+        gl_Position = vec4(2.0 * cell / float(grid.resolution) - 1.0, 0.0, 1.0);
         EmitVertex();
     }
 }

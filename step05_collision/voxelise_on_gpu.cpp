@@ -4,8 +4,8 @@
 
 #include "common/harness/driver.hpp"
 #include "common/program.hpp"
+#include "common/uniform_block.hpp"
 #include "step05_collision/scene_mesh.hpp"
-#include "step05_collision/solid_scene.hpp"
 
 VoxelGrid voxelise_on_gpu(const Scene& scene, int resolution)
 {
@@ -30,8 +30,8 @@ VoxelGrid voxelise_on_gpu(const Scene& scene, int resolution)
     glViewport(0, 0, resolution, resolution);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     program.use();
-    set_grid(program, grid);
-    program.set("words", VOXELS_IMAGE);
+    UniformBlock<snow::Grid> block;
+    block.update(GRID_BLOCK, {grid.origin, grid.cell_size, grid.resolution, 0, 0, 0});
     // Of all layers: a voxel may lie in any.
     glBindImageTexture(VOXELS_IMAGE, words, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     mesh.draw();

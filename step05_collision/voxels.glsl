@@ -2,11 +2,11 @@
 
 #include "step05_collision/grid.glsl"
 
-uniform usampler3D voxels;
+layout(binding = VOXELS_UNIT) uniform usampler3D voxels;
 
 bool in_grid(ivec3 cell)
 {
-    return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, ivec3(resolution)));
+    return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, ivec3(grid.resolution)));
 }
 
 bool in_scene(ivec3 cell)

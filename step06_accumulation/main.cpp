@@ -1,37 +1,37 @@
 // Step 6: same as step 5, but the snow stays: a flake that has lain for its time adds its mass to
-// the cell it lies in, in a buffer that every shader may read and write. A full cell is solid to
-// the flakes that follow, and the scene is drawn lifted and whitened by the snow upon it. New
-// calls: GL_SHADER_STORAGE_BUFFER (in cover/snow_cover.cpp), glMemoryBarrier, glDispatchCompute (in
-// cover/columns.cpp), and atomicAdd and atomicCompSwap in the shader.
+// the cell it lies in, which is solid when it is full; the scene is drawn lifted and whitened. The
+// update is a compute shader, as in step 4's compute.cpp: it runs exactly once for each flake. New
+// calls: GL_SHADER_STORAGE_BUFFER (in cover/snow_cover.cpp), glMemoryBarrier, glDispatchCompute,
+// and atomicAdd and atomicCompSwap in the shader.
 
 #include <GL/glew.h>
 
 #include "common/program.hpp"
 #include "common/uniform_block.hpp"
 #include "common/window.hpp"
-#include "step04_transform_feedback/ping_pong.hpp"
+#include "step04_transform_feedback/particle_buffer.hpp"
 #include "step05_collision/ledger.hpp"
 #include "step05_collision/solid_scene.hpp"
 #include "step06_accumulation/cover/columns.hpp"
 #include "step06_accumulation/cover/snow_cover.hpp"
+#include "step06_accumulation/winter/settings.hpp"
 
 using namespace snow;
 
-void run(Window& window, const SolidScene& solid)
+void run(Window& window, const SolidScene& solid, const Settings& settings)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
-    PingPong particles(flakes);
+    const ParticleBuffer particles(flakes);
     SnowCover cover(options.voxels);
     const Ledger ledger;
     Columns columns(solid, cover);
 
     UniformBlock<Weather> weather_block;
-    Program update({{GL_VERTEX_SHADER, "step06_accumulation/update.vert"}},
-                   {"position", "age", "velocity", "rest"});
+    Program update({{GL_COMPUTE_SHADER, "step06_accumulation/update.comp"}});
     Program surface({{GL_VERTEX_SHADER, "step06_accumulation/scene.vert"},
                      {GL_FRAGMENT_SHADER, "step06_accumulation/scene.frag"}});
     Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
@@ -50,34 +50,21 @@ void run(Window& window, const SolidScene& solid)
         {
             const auto stage = window.stage("update");
             update.use();
-            set_voxels(update, solid);
-            set_terrain(update, solid);
+            solid.bind();
             ledger.bind();
             cover.bind();
             update.set("flake_mass", cover.flake_mass(weather, solid.grid));
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);
-                glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
-                glBindVertexArray(particles.vao());
-                glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, particles.target());
-                glBeginTransformFeedback(GL_POINTS);
-                glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
-                glEndTransformFeedback();
-                glDisable(GL_RASTERIZER_DISCARD);
-                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // who reads next sees this snow
-                particles.swap();
+                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // what came before is done
+                particles.dispatch(update);
             }
-        }
-        if (Columns::settling) {
-            const auto stage = window.stage("settle");
-            columns.settle(tick, window.ticks());
-        }
-        if (Columns::melting) {
-            const auto stage = window.stage("melt");
-            columns.melt(tick, window.ticks(), weather);
+            glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);  // the draw reads the flakes
         }
         {
-            const auto stage = window.stage("depth");
+            const auto stage = window.stage("accumulate");
+            if (settings.cover.settling) columns.settle(tick, window.ticks());
+            if (settings.cover.melting) columns.melt(tick, window.ticks(), weather);
             columns.measure(tick, window.ticks());
         }
         {
@@ -87,8 +74,8 @@ void run(Window& window, const SolidScene& solid)
             surface.set("projection", window.projection());
             surface.set("eye", window.eye());
             surface.set("fog", sky);
-            columns.set_depth(surface);
-            draw_scene(surface, solid);
+            bind_texture(DEPTH_UNIT, GL_TEXTURE_3D, columns.depth());
+            solid.draw(surface);
         }
         {
             const auto stage = window.stage("draw");
@@ -111,32 +98,25 @@ void run(Window& window, const SolidScene& solid)
     cover.report(solid.grid, options.dump_cover);
 }
 
-void run_winter(Window& window, const SolidScene& solid);  // winter.cpp
-std::vector<Parameter> winter_parameters();
-
-// Reads the scene once, however often the snow begins anew.
-void load_and_run(Window& window)
-{
-    const SolidScene solid(window);
-    do {
-        if (window.options().variant == "winter")
-            run_winter(window, solid);
-        else
-            run(window, solid);
-    } while (window.restarted());
-}
+void run_winter(Window& window, const SolidScene& solid, const Settings& settings);  // winter.cpp
 
 int main(int argc, char** argv)
 {
+    Settings settings;  // which --set and the panel change
+    // Reads the scene once, however often the snow begins anew.
+    const auto load_and_run = [&settings](Window& window) {
+        const SolidScene solid(window);
+        do {
+            (window.options().variant == "cells" ? run : run_winter)(window, solid, settings);
+        } while (window.restarted());
+    };
     Lesson lesson;
     lesson.name = "step06_accumulation";
     lesson.idea = "the snow of step 5, piling up on the scene: the full system";
     lesson.minimum_gl = 4.3;
-    lesson.variants = {{"winter", load_and_run, winter_parameters()},
-                       {"cells", load_and_run, Columns::parameters()}};
+    lesson.variants = {{"winter", load_and_run, settings.parameters()},
+                       {"cells", load_and_run, settings.cover.parameters()}};
     lesson.has_scene = true;
     lesson.has_cover = true;
-    lesson.limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"},
-                     {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 2, "storage buffers in vertex shaders"}};
     return run_lesson(argc, argv, lesson);
 }

@@ -157,6 +157,16 @@ void check_memory(const char* what, double bytes)
     throw std::runtime_error(line);
 }
 
+void check_framebuffer(const char* what)
+{
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_COMPLETE) return;
+    char line[160];
+    std::snprintf(line, sizeof line, "%s cannot draw %s: framebuffer status 0x%04X",
+                  gl_string(GL_RENDERER), what, status);
+    throw std::runtime_error(line);
+}
+
 // Of a context that is lost nothing can be asked, and calls do nothing: not even an error is there.
 void check_read_back(const char* what)
 {

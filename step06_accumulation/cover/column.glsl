@@ -11,20 +11,22 @@ uniform int first_x, first_z;  // of the columns that have their turn at once
 uniform int stride;            // from each to the next, along x and z
 uniform int scene_top;         // the lowest layer of cells above all of the scene
 
-// What is done to a column in its turn; `cell` is its lowest. Whoever includes this defines it.
+const int steps_per_round = 64;  // time steps in which every column has its turn once
+
+// What is done to a column in its turn; `cell` is its lowest.
 void take_turn(ivec3 cell);
 
 void main()
 {
     ivec2 column = ivec2(first_x, first_z) + stride * ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(column, ivec2(resolution)))) return;  // a group may reach beyond the grid
+    if (any(greaterThanEqual(column, ivec2(grid.resolution)))) return;  // a group may reach beyond the grid
     take_turn(ivec3(column.x, 0, column.y));
 }
 
 // Is there nothing but air from this cell on up? Above the scene snow lies in one piece.
 bool is_open_sky(ivec3 cell)
 {
-    return cell.y >= resolution || (cell.y >= scene_top && mass_in(cell) == 0u);
+    return cell.y >= grid.resolution || (cell.y >= scene_top && mass_in(cell) == 0u);
 }
 
 // Does the snow in this cell lie open to the air?
@@ -40,5 +42,5 @@ bool next_surface(inout ivec3 cell)
     while (cell.y < scene_top && !in_base(cell)) ++cell.y;
     if (cell.y >= scene_top) return false;
     while (in_base(cell)) ++cell.y;
-    return cell.y < resolution;
+    return cell.y < grid.resolution;
 }

@@ -2,61 +2,41 @@
 
 #include <algorithm>
 
+std::vector<snow::Parameter> CoverSettings::parameters()
+{
+    return snow::under("Snow that lies",
+                       {{"settling", "slides", "on/off", 0, 1,
+                         "snow steeper than its angle of repose slides", &settling},
+                        {"melting", "melts", "on/off", 0, 1,
+                         "snow melts where it is warmer than 0 degrees", &melting}});
+}
+
 Columns::Columns(const SolidScene& solid, const SnowCover& cover)
     : solid_(solid), cover_(cover),
       settle_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/settle.comp"}}),
       melt_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/melt.comp"}}),
-      measure_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/depth.comp"}}),
-      depth_(make_texture())
+      measure_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/depth.comp"}})
 {
     clear_depth();
 }
 
-std::vector<snow::Parameter> Columns::parameters()
-{
-    return snow::under("Snow that lies",
-                       {
-                           {"settling", "slides", "on/off", 0, 1,
-                            "snow steeper than its angle of repose slides", &settling},
-                           {"melting", "melts", "on/off", 0, 1,
-                            "snow melts where it is warmer than 0 degrees", &melting},
-                       });
-}
-
-void Columns::settle(unsigned tick, int ticks)
-{
-    dispatch(settle_, tick, ticks);
-}
-
 void Columns::melt(unsigned tick, int ticks, const snow::Weather& weather)
 {
-    if (weather.temperature <= 0) return;
-    melt_.use();
-    melt_.set("seconds", turns * weather.time_step);
-    dispatch(melt_, tick, ticks);
+    if (weather.temperature > 0) dispatch(melt_, tick, ticks);
 }
 
 void Columns::measure(unsigned tick, int ticks)
 {
-    // What is overwritten now must have been read by the picture before.
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    glBindImageTexture(DEPTH_IMAGE, depth_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R16F);
+    glBindImageTexture(DEPTH_IMAGE, depth_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG16F);
     dispatch(measure_, tick, ticks);
-}
-
-void Columns::set_depth(Program& program) const
-{
-    set_grid(program, solid_.grid);
-    program.set_texture("snow_depth", DEPTH_UNIT, GL_TEXTURE_3D, depth_);
 }
 
 // No snow anywhere; and none can ever be within walls, or where there is nothing to lie on. Finds
 // scene_top_, too.
 void Columns::clear_depth()
 {
-    constexpr GLbyte unknown = -127;  // as a texture: -1
     const int n = solid_.grid.resolution;
-    std::vector<GLbyte> depth(size_t(n) * size_t(n) * size_t(n), unknown);
+    std::vector<GLubyte> depth(2 * size_t(n) * size_t(n) * size_t(n));  // see snow_depth.glsl
     for (int z = 0; z < n; ++z) {
         for (int x = 0; x < n; ++x) {
             bool floor = false;
@@ -65,12 +45,13 @@ void Columns::clear_depth()
                 floor |= wall;
                 if (wall) scene_top_ = std::max(scene_top_, y + 1);
                 if (floor && !wall)
-                    depth[(size_t(z) * size_t(n) + size_t(y)) * size_t(n) + size_t(x)] = 0;
+                    depth[2 * ((size_t(z) * size_t(n) + size_t(y)) * size_t(n) + size_t(x)) + 1] =
+                        255;
             }
         }
     }
     glBindTexture(GL_TEXTURE_3D, depth_);
-    glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, n, n, n, 0, GL_RED, GL_BYTE, depth.data());
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_RG16F, n, n, n, 0, GL_RG, GL_UNSIGNED_BYTE, depth.data());
     check_memory("the depths of snow", 2.0 * double(depth.size()));
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
@@ -82,22 +63,22 @@ void Columns::dispatch(Program& program, unsigned tick, int ticks) const
 {
     const int n = solid_.grid.resolution;
     program.use();
-    set_voxels(program, solid_);
     program.set("scene_top", scene_top_);
     cover_.bind();
     // Of every 8 x 8 columns one a time step. Four that follow each other lie 4 apart, where they
-    // are no neighbours yet: a frame that has made so many steps looks after them at once.
+    // are no neighbours yet: a frame that has made four steps looks after them at once.
     for (unsigned turn = tick - unsigned(ticks); turn != tick;) {
-        const int four = int(turn % turns) / 4, one = int(turn % 4);
+        const int four = int(turn % steps_per_round) / 4, one = int(turn % 4);
         const bool at_once = one == 0 && tick - turn >= 4;
         const int stride = at_once ? 4 : 8;
         program.set("first_x", four % 4 + 4 * (one % 2));
         program.set("first_z", four / 4 + 4 * (one / 2));
         program.set("stride", stride);
         const unsigned groups = unsigned(n / stride + 7) / 8;  // 8: local_size_x and _y
+        // What came before has read what this writes, and written what this reads.
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
         glDispatchCompute(groups, groups, 1);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                        GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
         turn += at_once ? 4 : 1;
     }
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // the picture looks depths up
 }

@@ -4,12 +4,11 @@
 #include "common/weather_block.glsl"
 #include "step06_accumulation/cover/column.glsl"
 
-uniform float seconds;  // since this column's last turn
-
 void take_turn(ivec3 cell)
 {
-    const float rate = 0.01 / 60.0;  // m/s for each degree: a thaw that can be watched
-    uint most = uint(max(weather.temperature, 0.0) * rate * seconds / cell_size * float(full_cell));
+    const float rate = 0.01 / 60.0;                   // m/s for each degree: a thaw that can be watched
+    float seconds = float(steps_per_round) * weather.time_step;  // since this column's last turn
+    uint most = uint(max(weather.temperature, 0.0) * rate * seconds / grid.cell_size * float(full_cell));
     for (; !is_open_sky(cell); ++cell.y) {
         if (!is_surface(cell)) continue;
         uint amount = min(most, mass_in(cell));

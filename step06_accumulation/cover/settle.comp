@@ -37,7 +37,7 @@ void slide(ivec3 cell, ivec3 direction, float base, float slope)
     float neighbour = float(target.y) + float(mass_in(target)) / float(full_cell);
     // Where the ground falls away the snow holds together, and the edge is half as far as the neighbour.
     const float cliff = 0.03;  // m
-    float highest = max(neighbour + slope, base + cliff / cell_size + 0.5 * slope);  // in cells
+    float highest = max(neighbour + slope, base + cliff / grid.cell_size + 0.5 * slope);  // in cells
     float excess = height - highest;
     if (excess <= 0.0) return;
     transfer(cell, target, uint(0.25 * excess * float(full_cell)));

@@ -27,7 +27,8 @@ double time_in_air(snow::Weather weather, snow::uint emitter)
     snow::Particle flake = snow::born(emitter, 0, weather);
     flake.position.y = weather.emitters[emitter].centre.y;
     snow::uint tick = 0;
-    for (; flake.rest == 0 && !snow::gone(flake, emitter, weather); ++tick) {
+    const snow::uint most = 100'000;  // where hardly anything pulls it down, it never lands
+    for (; tick < most && flake.rest == 0 && !snow::gone(flake, emitter, weather); ++tick) {
         flake = snow::settle(snow::move(flake, weather), weather);
         flake = snow::accelerate(flake, weather.wind, emitter, tick, weather);
     }
@@ -67,9 +68,11 @@ void SnowCover::bind() const
 float SnowCover::flake_mass(const snow::Weather& weather, const VoxelGrid& grid)
 {
     // To find the time in the air flakes are let fall, which takes a while: not anew in every
-    // frame.
-    if (weather_ && std::memcmp(&*weather_, &weather, sizeof weather) == 0) return flake_mass_;
-    weather_ = weather;
+    // frame, nor whenever the clouds have gone on with the camera.
+    snow::Weather here = weather;
+    for (snow::Emitter& cloud : here.emitters) cloud.centre.x = cloud.centre.z = 0;
+    if (weather_ && std::memcmp(&*weather_, &here, sizeof here) == 0) return flake_mass_;
+    weather_ = here;
     double volume = 0;  // m3 a second, of the cubes around the flakes that come to lie
     for (const snow::uint emitter : {0u, 1u}) {
         const double d = weather.emitters[emitter].diameter, v = weather.variation;

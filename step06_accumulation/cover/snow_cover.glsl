@@ -21,7 +21,7 @@ void count_mass(uint sum, uint amount)
 
 uint mass_index(ivec3 cell)
 {
-    return uint(cell.x + resolution * (cell.y + resolution * cell.z));
+    return uint(cell.x + grid.resolution * (cell.y + grid.resolution * cell.z));
 }
 
 uint mass_in(ivec3 cell)

@@ -14,7 +14,7 @@
 class SnowCover {
 public:
     // For a grid of so many voxels along each edge. Throws std::runtime_error if the card has no
-    // buffer that large: before the scene is voxelised, which takes a while.
+    // buffer that large.
     explicit SnowCover(int resolution);
 
     // Lets the shaders of snow_cover.glsl add to it and take from it.

@@ -2,11 +2,14 @@
 
 #include "step05_collision/grid.glsl"
 
-uniform sampler3D snow_depth;  // m, on the surface nearest to each cell; less than 0: unknown
+// Depth, m, on the surface nearest to each cell, and 1; both are 0 where there is none, within walls and in the air.
+layout(binding = DEPTH_UNIT) uniform sampler3D snow_depth;
 
-// m, at `point` of the scene.
+// m, at `point` of the scene. The card blends between cells: what is divided by the blend of the ones is a mean
+// of those cells of which something is known.
 float depth_at(vec3 point)
 {
-    vec3 place = (point - grid_origin) / (cell_size * float(resolution));
-    return max(textureLod(snow_depth, place, 0.0).r, 0.0);
+    vec3 uvw = (point - grid.origin) / (grid.cell_size * float(grid.resolution));
+    vec2 blend = textureLod(snow_depth, uvw, 0.0).rg;
+    return blend.g < 0.01 ? 0.0 : blend.r / blend.g;
 }

@@ -1,21 +1,30 @@
 // One time step of one flake, as in step 5, but what has lain for its time becomes part of the snow
-// cover. Whoever includes this has defined air_at(position): the velocity of the air there, m/s.
+// cover. A compute shader makes it, in place: a vertex shader may run more than once for a vertex,
+// and would deposit a flake twice (OpenGL 4.3, 7.12.1).
 
-#include "step04_transform_feedback/flake_state.glsl"
+#include "common/weather_block.glsl"
 #include "step05_collision/ledger.glsl"
 #include "step06_accumulation/cover/snow_cover.glsl"
 #include "step05_collision/voxel_walk.glsl"
 #include "step05_collision/open_sky.glsl"
 #include "step05_collision/follow.glsl"
 
+layout(local_size_x = 128) in;
+
+uniform uint tick;         // number of the time step
+uniform uint first;        // index of the flake that this piece of the buffer begins with
 uniform float flake_mass;  // units for each cubic metre of the cube around a flake
+
+layout(std430, binding = FLAKES_BUFFER) buffer Flakes { Particle flakes[]; };
+
+vec3 air_at(vec3 position);  // m/s, velocity of the air there
 
 // What a flake weighs, in units: the more the larger it is. Rounded up as often as it takes: of ten
 // million flakes one may weigh less than a unit, and their sum has to be right.
 uint mass_of(uint index)
 {
-    float d = diameter(index, weather), part = random_unit(index, tick, 4u, weather);
-    return uint(min(flake_mass * d * d * d + part, 1.0e8));  // 36 times as much still fits into a word
+    float d = diameter(index, weather), chance = random_unit(index, tick, 4u, weather);
+    return uint(min(flake_mass * d * d * d + chance, 1.0e8));  // 36 times as much still fits into a word
 }
 
 // The cell in which snow that comes down into the column of `cell` stays: the first above what is solid.
@@ -47,8 +56,8 @@ bool deposit(vec3 position, uint flake)
             ivec3 cell = resting_cell(centre + halfway);
             if (in_grid(cell)) cell = resting_cell(cell + ivec3(x, 0, z) - halfway);
             if (!in_grid(cell)) continue;  // beyond an edge, or a wall
-            uint part = flake * (weight[x + 2] * weight[z + 2]) / 256u;
-            left -= part - add_snow(cell, part);
+            uint portion = flake * (weight[x + 2] * weight[z + 2]) / 256u;
+            left -= portion - add_snow(cell, portion);
         }
     }
     left = add_snow(centre, left);  // what is the middle's, and what the others did not take
@@ -56,26 +65,32 @@ bool deposit(vec3 position, uint flake)
     return left < flake;
 }
 
-void main()
+// A flake that is no more: what becomes of it is counted.
+void end_flake(Particle p, uint index)
 {
-    uint index = uint(gl_VertexID);
-    Particle p = settle(move(load_flake(), weather), weather);
-    if (old_age >= 0.0 && old_rest == 0.0) p = collide(old_position, p, weather);
+    bool has_melted = melt_left(p, weather) < 0.0;
+    uint amount = mass_of(index);
+    if (has_melted && amount > 0u && deposit(p.position, amount)) {
+        count_deposit();
+    } else {
+        // Rain drains away; snow where no cell takes it has left.
+        count_end(has_melted && amount == 0u);
+    }
+}
+
+// The time step of the invocation's flake.
+void update_flake()
+{
+    uint i = gl_GlobalInvocationID.x, index = first + i;
+    Particle old = flakes[i];
+    Particle p = settle(move(old, weather), weather);
+    if (old.age >= 0.0 && old.rest == 0.0) p = collide(old.position, p, weather);
     p = accelerate(p, air_at(p.position), index, tick, weather);
     if (!goes_on(p, index) || gone(p, index, weather)) {
-        bool has_melted = melt_left(p, weather) < 0.0;
-        if (old_age >= 0.0) {
-            uint amount = mass_of(index);
-            if (has_melted && amount > 0u && deposit(p.position, amount)) {
-                count_deposit();
-            } else {
-                // Rain drains away; snow where no cell takes it has left.
-                count_end(has_melted && amount == 0u);
-            }
-        }
+        if (old.age >= 0.0) end_flake(p, index);
         p = born(index, tick, weather);
         p.position.y += terrain_at(p.position);  // its cloud hangs above the ground
         count_release();
     }
-    store_flake(p);
+    flakes[i] = p;
 }

@@ -1,28 +1,35 @@
-// Programs of the same shaders, one for each set of parts that are on.
+// Programs of the same shaders, one for each set of features that are on. What is off is not in the
+// program at all: on a card a branch on a uniform would do as well, but some drivers, software ones
+// most of all, compute both sides of it.
 #pragma once
 
-#include <functional>
 #include <map>
-#include <string>
 #include <vector>
 
 #include "common/program.hpp"
 
+// What shaders may have besides: bits of a set. Each is a #define of its own name in the shaders.
+enum Feature : unsigned {
+    SHADOW = 1,       // the shadow map
+    OCCLUSION = 2,    // the scene hides a part of the sky
+    LAMP = 4,         // a lamp that is on
+    SPARKLE = 8,      // crystals on the snow that flash
+    DUSTING = 16,     // snow on the weather side of walls
+    BLUR = 32,        // flakes close by are out of focus
+    BLOOM = 64,       // light around what is bright
+    WIND_FIELD = 128  // the air flows around the scene
+};
+
 class Permutations {
 public:
-    // As Program's. Compiles the program that has none of the parts, so that a fault is told at
-    // once, if it is not in a line of a part.
-    explicit Permutations(std::vector<Shader> shaders, std::vector<const char*> varyings = {});
+    // known: the features that these shaders ask for.
+    explicit Permutations(std::vector<Shader> shaders, unsigned known = 0);
 
-    // The program with these parts, lines `#define NAME`, compiled when it is first asked for. Of
-    // what is off it has not a line: an `if` costs, as some drivers compute both sides.
-    Program& with(const std::string& parts);
+    // Puts the program with these features to use; it is compiled when it is first wanted.
+    Program& use(unsigned features);
 
 private:
     std::vector<Shader> shaders_;
-    std::vector<const char*> varyings_;
-    std::map<std::string, Program> programs_;  // by their parts
+    unsigned known_;
+    std::map<unsigned, Program> programs_;  // by their features
 };
-
-// Puts the program with the parts of this frame to use.
-using UseProgram = std::function<Program&(Permutations&)>;

@@ -13,8 +13,6 @@
 namespace snow {
 
 VoxelGrid grid;
-vec3 grid_origin;
-float cell_size;
 
 bool solid(ivec3 cell)
 {
@@ -43,8 +41,6 @@ try {
                                                     .has_scene = true});
     snow::grid =
         voxelise(load_scene(options.scene, options.up, nullptr, options.metres), options.voxels);
-    snow::grid_origin = snow::grid.origin;
-    snow::cell_size = snow::grid.cell_size;
 
     std::vector<snow::Particle> flakes = make_flakes(options.weather);
     for (unsigned step = 0; step < options.frames.value_or(300); ++step) {

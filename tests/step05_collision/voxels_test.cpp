@@ -13,24 +13,15 @@ using glm::vec3;
 
 namespace snow {
 
-// The walk's view of a grid.
-VoxelGrid walked_grid;
-vec3 grid_origin;
-float cell_size;
+// The one that is walked through.
+VoxelGrid grid;
 
 bool solid(ivec3 cell)
 {
-    return walked_grid.solid(cell);
+    return grid.solid(cell);
 }
 
 #include "step05_collision/voxel_walk.glsl"
-
-void walk_in(const VoxelGrid& grid)
-{
-    walked_grid = grid;
-    grid_origin = grid.origin;
-    cell_size = grid.cell_size;
-}
 
 }  // namespace snow
 
@@ -227,7 +218,7 @@ TEST(VoxelWalk, FromAboveLandsInTheEmptyCellItCameFrom)
 {
     VoxelGrid grid = empty_grid(32);  // cells of 1 m
     fill(grid, {16, 10, 16});         // its upper side is y = 11
-    snow::walk_in(grid);
+    snow::grid = grid;
     for (const float speed : {0.5f, 10.0f, 200.0f}) {
         snow::Particle flake = flake_at({0.3f, 11.005f, 0.6f}, {0, -speed, 0});
         flake = walk(flake);
@@ -241,7 +232,7 @@ TEST(VoxelWalk, FromTheSideLosesThatComponentAndSlidesOn)
 {
     VoxelGrid grid = empty_grid(32);
     for (int y = 0; y < 32; ++y) fill(grid, {20, y, 16});  // its left side is x = 4
-    snow::walk_in(grid);
+    snow::grid = grid;
     const snow::Particle flake = walk(flake_at({3.9f, 0.5f, 0.5f}, {60, -6, 0}));
     EXPECT_EQ(flake.velocity, vec3(0, -6, 0));
     EXPECT_EQ(flake.rest, 0);
@@ -252,7 +243,7 @@ TEST(VoxelWalk, FromTheSideLosesThatComponentAndSlidesOn)
 TEST(VoxelWalk, InTheOpenChangesNothing)
 {
     const VoxelGrid grid = empty_grid(32);
-    snow::walk_in(grid);
+    snow::grid = grid;
     for (int n = 0; n < 1000; ++n) {
         const snow::Particle flake = flake_at(random_point(30), random_point(200));
         const snow::Particle after = walk(flake);
@@ -276,7 +267,7 @@ TEST(VoxelWalk, LetsNoFlakeThroughAWallAtAnySpeed)
             }
         }
     }
-    snow::walk_in(grid);
+    snow::grid = grid;
     for (int n = 0; n < 2000; ++n) {
         snow::Particle flake = flake_at(random_point(5.4f) + vec3(0, 16, 0), vec3(0));
         for (int step = 0; step < 60; ++step) {
@@ -294,7 +285,7 @@ TEST(VoxelWalk, NeverEndsInASolidVoxel)
 {
     const Scene scene = triangle_soup(300, 1);
     const VoxelGrid grid = voxelise(scene, 64);
-    snow::walk_in(grid);
+    snow::grid = grid;
     int hits = 0;
     for (int n = 0; n < 100000; ++n) {
         const vec3 start = random_point(6) + vec3(0, 6, 0);

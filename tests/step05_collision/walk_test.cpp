@@ -17,13 +17,11 @@ using glm::vec3;
 
 namespace snow {
 
-VoxelGrid walked_grid;
-vec3 grid_origin;
-float cell_size;
+VoxelGrid grid;
 
 bool solid(ivec3 cell)
 {
-    return walked_grid.solid(cell);
+    return grid.solid(cell);
 }
 
 #include "step05_collision/voxel_walk.glsl"
@@ -105,9 +103,7 @@ protected:
 
     std::vector<snow::Particle> walk_in_cpp(const std::vector<Way>& ways)
     {
-        snow::walked_grid = grid;
-        snow::grid_origin = grid.origin;
-        snow::cell_size = grid.cell_size;
+        snow::grid = grid;
         std::vector<snow::Particle> flakes;
         for (const Way& way : ways) flakes.push_back(snow::collide(way.from, way.flake, weather));
         return flakes;
@@ -122,8 +118,9 @@ protected:
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
         glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, ways.data(), GL_DYNAMIC_COPY);
         program.use();
-        set_grid(program, grid);
-        program.set_texture("voxels", VOXELS_UNIT, GL_TEXTURE_3D, voxels);
+        UniformBlock<snow::Grid> block;
+        block.update(GRID_BLOCK, {grid.origin, grid.cell_size, grid.resolution, 0, 0, 0});
+        bind_texture(VOXELS_UNIT, GL_TEXTURE_3D, voxels);
         glDispatchCompute(GLuint(ways.size() + 63) / 64, 1, 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, bytes, ways.data());

@@ -4,14 +4,15 @@
 #include <GL/glew.h>
 
 #include "common/program.hpp"
-#include "step06_accumulation/winter/budget/live_flakes.hpp"
+#include "step04_transform_feedback/particle_buffer.hpp"
+#include "step06_accumulation/winter/flake_budget.hpp"
 
 class DepthOrder {
 public:
-    DepthOrder();
+    explicit DepthOrder(unsigned particles);
 
-    // Sorts the flakes that live by their distance from the camera of camera.glsl, on the card.
-    void sort(const PingPong& particles, const LiveFlakes& live);
+    // Sorts the flakes that live by their distance from the camera of frame.glsl, on the card.
+    void sort(const ParticleBuffer& particles, const LiveFlakes& live);
 
     // Draws them as points in that order, with the vertex array that is bound.
     void draw() const;
@@ -22,6 +23,6 @@ public:
 private:
     Program measure_, exchange_;
     GlObject distances_, order_;
-    GLsizei count_ = 0;
-    GLuint places_ = 0;  // a power of two
+    GLsizei count_ = 0;  // of those that live
+    GLuint size_;        // of the buffers: a power of two
 };

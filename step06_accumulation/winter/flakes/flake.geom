@@ -5,17 +5,6 @@
 
 layout(max_vertices = 4) out;
 
-// What is left of a flake that has been in the air so long, s: in warm air it begins to melt on its way.
-// Hailstones are too large for that.
-float frozen(float seconds)
-{
-    // Of a flake in air of one degree, each second. By eye, so that it shows on a way of some 10 m: in nature
-    // it takes a much longer one.
-    const float rate = 0.02;
-    if (weather.kind == hail_kind) return 1.0;
-    return 1.0 - clamp(rate * weather.temperature * seconds, 0.0, 1.0);
-}
-
 void main()
 {
     vec3 position = flake[0].position;
@@ -27,7 +16,7 @@ void main()
     if (weather.kind == rain_kind) {
         if (rest > 0.0) return;  // see splash.geom
         // The eye is slow: it never sees drops, but how they sparkle on their way.
-        draw(position, flake[0].velocity, min(max(camera.shutter, 1.0 / 30.0), age), size, 6.0, mat2(1.0));
+        draw(position, flake[0].velocity, min(max(frame.shutter, 1.0 / 30.0), age), size, 6.0, mat2(1.0));
     } else {
         float left = 1.0 - clamp(rest / max(weather.melt_time, weather.time_step), 0.0, 1.0);
         // A crystal turns slowly, one way or the other, and tumbles: what is tilted looks narrower.
@@ -36,7 +25,7 @@ void main()
         mat2 turn = mat2(1.0, 0.0, 0.0, 1.3 + 0.3 * sin(angle)) *
                     mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
         if (weather.kind == hail_kind) turn = mat2(1.0);
-        size *= mix(0.4, 1.0, left * frozen(age - rest));  // what melts shrinks
-        draw(position, flake[0].velocity, min(camera.shutter, age), size, left, turn);
+        size *= mix(0.4, 1.0, left);  // what melts shrinks
+        draw(position, flake[0].velocity, min(frame.shutter, age), size, left, turn);
     }
 }

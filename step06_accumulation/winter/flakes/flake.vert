@@ -4,8 +4,6 @@
 #include "common/weather_block.glsl"
 #include "step06_accumulation/winter/light/air.glsl"
 
-uniform int colours;  // 0: its own; else by speed, age or emitter
-
 layout(location = 0) in vec3 position;  // m
 layout(location = 1) in float age;      // s
 layout(location = 2) in vec3 velocity;  // m/s
@@ -23,39 +21,39 @@ out Flake
 flake;
 
 // What is seen of a white flake, which has no side: light from everywhere. It may lie on a surface. The nearest
-// cell of sky_seen will do.
+// cell of sky_visibility will do.
 vec3 light_on_flake(vec3 position)
 {
-    Place place = place_of(position, vec3(0.0, 1.0, 0.0));
+    Spot spot = spot_at(position, vec3(0.0, 1.0, 0.0));
     float seen = 0.5;
 #ifdef OCCLUSION
-    ivec3 cells = textureSize(sky_seen, 0), cell = ivec3(place.in_grid * vec3(cells) + vec3(0.0, 1.0, 0.0));
+    ivec3 cells = textureSize(sky_visibility, 0), cell = ivec3(spot.in_grid * vec3(cells) + vec3(0.0, 1.0, 0.0));
     bool inside = all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, cells));
-    if (inside) seen = 0.5 * texelFetch(sky_seen, cell, 0).a;
+    if (inside) seen = 0.5 * texelFetch(sky_visibility, cell, 0).a;
 #endif
-    vec3 result = seen * (light.sky + light.ground);
-    vec3 way = position - camera.eye;
-    float part = 0.5 + glow(way / max(length(way), 0.001));
-    result += part * sunlight_at(place) * light.sun;
+    vec3 result = seen * (frame.sky + frame.ground);
+    vec3 way = position - frame.eye;
+    float facing = 0.5 + glow(way / max(length(way), 0.001));
+    result += facing * sunlight_at(spot) * frame.sun;
 #ifdef LAMP
-    vec3 to_lamp = light.lamp_position - position;
-    result += 0.5 * light.lamp / max(dot(to_lamp, to_lamp), light.lamp_radius * light.lamp_radius);
+    vec3 to_lamp = frame.lamp_position - position;
+    result += 0.5 * frame.lamp / max(dot(to_lamp, to_lamp), frame.lamp_radius * frame.lamp_radius);
 #endif
     return result;
 }
 
 // A colour for each number from 0 to 1: from blue by green and yellow to red.
-vec3 colour_of(float part)
+vec3 colour_of(float t)
 {
-    return clamp(1.5 - abs(4.0 * clamp(part, 0.0, 1.0) - vec3(3.0, 2.0, 1.0)), 0.0, 1.0);
+    return clamp(1.5 - abs(4.0 * clamp(t, 0.0, 1.0) - vec3(3.0, 2.0, 1.0)), 0.0, 1.0);
 }
 
 // In which a flake is drawn that is to tell something, whatever the light.
 vec3 telling_colour()
 {
     float terminal = terminal_speed(uint(gl_VertexID), weather);
-    if (colours == 1) return colour_of(length(velocity) / (2.0 * terminal));
-    if (colours == 2) return colour_of(age / 16.0);
+    if (frame.colours == 1) return colour_of(length(velocity) / (2.0 * terminal));
+    if (frame.colours == 2) return colour_of(age / 16.0);
     return of_first_emitter(uint(gl_VertexID), weather) ? vec3(0.1, 0.4, 1.0) : vec3(1.0, 0.5, 0.1);
 }
 
@@ -67,5 +65,5 @@ void main()
     flake.rest = rest;
     flake.index = uint(gl_VertexID);
     vec4 air = air_before(position);
-    flake.colour = colours != 0 ? telling_colour() : air.rgb + air.a * light_on_flake(position);
+    flake.colour = frame.colours != 0 ? telling_colour() : air.rgb + air.a * light_on_flake(position);
 }

@@ -17,7 +17,7 @@ void draw_splash(vec3 position, float time, float diameter, uint index)
         vec3 way = start * time + 0.5 * weather.gravity * time * time;
         if (way.y < 0.0) continue;  // down again
         vec3 velocity = start + weather.gravity * time;
-        draw(position + way, velocity, min(camera.shutter, time), diameter, 2.0, mat2(1.0));
+        draw(position + way, velocity, min(frame.shutter, time), diameter, 2.0, mat2(1.0));
     }
 }
 

@@ -8,7 +8,7 @@
 float glow(vec3 direction)
 {
     const float forwards = 0.7;  // mean cosine of the angle of scattering
-    float squared = 1.0 + forwards * forwards - 2.0 * forwards * dot(direction, light.to_sun);
+    float squared = 1.0 + forwards * forwards - 2.0 * forwards * dot(direction, frame.to_sun);
     return (1.0 - forwards * forwards) / (4.0 * squared * sqrt(squared));
 }
 
@@ -16,18 +16,18 @@ float glow(vec3 direction)
 vec3 air_light(vec3 direction)
 {
     const float sunlit = 0.25;  // part of the air that the sun reaches
-    float sunset = max(dot(direction.xz, normalize(light.to_sun.xz)), 0.0);
-    return light.horizon + sunset * sunset * light.twilight + sunlit * glow(direction) * light.sun;
+    float sunset = max(dot(direction.xz, normalize(frame.to_sun.xz)), 0.0);
+    return frame.horizon + sunset * sunset * frame.twilight + sunlit * glow(direction) * frame.sun;
 }
 
 // What arrives at the eye of the radiance L that leaves this point is rgb + a * L: the air adds its own light,
 // and takes some of the other.
 vec4 air_before(vec3 position)
 {
-    vec3 way = position - camera.eye;
+    vec3 way = position - frame.eye;
     float away = length(way);
     // No way has no direction, either.
-    if (light.extinction == 0.0 || away < 0.001) return vec4(0.0, 0.0, 0.0, 1.0);
-    float clear = exp(-light.extinction * away);
+    if (frame.extinction == 0.0 || away < 0.001) return vec4(0.0, 0.0, 0.0, 1.0);
+    float clear = exp(-frame.extinction * away);
     return vec4((1.0 - clear) * air_light(way / away), clear);
 }

@@ -7,5 +7,5 @@ layout(location = 0) in vec3 position;
 
 void main()
 {
-    gl_Position = light.to_shadow_map * vec4(position, 1.0);
+    gl_Position = frame.to_shadow_map * vec4(position, 1.0);
 }

@@ -16,34 +16,26 @@ ShadowMap::ShadowMap()
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-std::vector<snow::Parameter> ShadowMap::parameters()
-{
-    return {{"soft_shadows", "soft shadows", "on/off", 0, 1, "along the edges of shadows",
-             &soft_shadows, 0, "", true}};
-}
-
-void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ivec2 window)
+void ShadowMap::update(glm::vec3 to_sun, const SceneMesh& mesh, bool soft, bool wide)
 {
     // A lookup compares a depth with those of the four nearest texels and blends the results, or
     // with one.
     glBindTexture(GL_TEXTURE_2D, depth_);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, soft_shadows ? GL_LINEAR : GL_NEAREST);
-    // Hard edges are for what is slow, where more of a small map fits into the cache; but in a
-    // landscape one would see its texels.
-    const GLsizei texels = !soft_shadows && light.grid_size < 40 ? 1024 : 2048;
+        glTexParameteri(GL_TEXTURE_2D, filter, soft ? GL_LINEAR : GL_NEAREST);
+    const GLsizei texels = wide ? 2048 : 1024;  // more of a small map fits into the cache
     if (texels != texels_) {
         texels_ = texels;
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, texels, texels, 0, GL_DEPTH_COMPONENT,
                      GL_UNSIGNED_SHORT, nullptr);
         drawn_for_ = {};
     }
-    if (light.to_sun == drawn_for_) return;
-    drawn_for_ = light.to_sun;
+    if (to_sun == drawn_for_) return;
+    drawn_for_ = to_sun;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    check_framebuffer("the shadow map");
     glViewport(0, 0, texels, texels);
     glClear(GL_DEPTH_BUFFER_BIT);
     // A texel is as deep as its middle: push all surfaces back by as much as they fall off in a
@@ -53,6 +45,4 @@ void ShadowMap::update(const snow::Light& light, const SceneMesh& mesh, glm::ive
     program_.use();
     mesh.draw();
     glDisable(GL_POLYGON_OFFSET_FILL);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, window.x, window.y);
 }

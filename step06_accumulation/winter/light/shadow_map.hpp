@@ -4,22 +4,18 @@
 #include <GL/glew.h>
 
 #include <glm/glm.hpp>
-#include <vector>
 
-#include "common/gl_object.hpp"
 #include "common/program.hpp"
 #include "step05_collision/scene_mesh.hpp"
-#include "step06_accumulation/winter/light/daylight.hpp"
 
 class ShadowMap {
 public:
     ShadowMap();
 
-    static std::vector<snow::Parameter> parameters();
-    inline static bool soft_shadows = true;
-
-    // Draws the map anew if the sun has moved; the scene never does. window: its size, pixels.
-    void update(const snow::Light& light, const SceneMesh& mesh, glm::ivec2 window);
+    // Draws the map anew if the sun has moved; the scene never does. to_sun: see frame.glsl. soft:
+    // edges are blended. wide: a scene so large, or seen so closely, that texels would show. Leaves
+    // another framebuffer bound.
+    void update(glm::vec3 to_sun, const SceneMesh& mesh, bool soft, bool wide);
 
     GLuint texture() const { return depth_; }
 

@@ -8,19 +8,15 @@
 #include <vector>
 
 #include "common/program.hpp"
-#include "common/weather.hpp"
-#include "step04_transform_feedback/no_vertices.hpp"
-#include "step06_accumulation/winter/post/linear_frame.hpp"
+#include "step06_accumulation/winter/post/hdr_target.hpp"
 
 class Bloom {
 public:
     Bloom();
 
-    static std::vector<snow::Parameter> parameters();
-    inline static float bloom = 0.06f;  // part of the light that is spread; 0: none
-
-    // Spreads the light of the frame. Leaves another framebuffer bound.
-    void update(const LinearFrame& frame);
+    // Spreads the light of the frame, with the vertex array that is bound (full_screen.vert).
+    // Leaves another framebuffer bound.
+    void update(const HdrTarget& frame);
 
     // The sum of all.
     GLuint texture() const { return levels_.front().colour; }
@@ -33,7 +29,6 @@ private:
     void allocate(glm::ivec2 size);
 
     Program shrink_, grow_;
-    NoVertices vao_;  // the shader knows its corners
     glm::ivec2 size_{};
     std::vector<Level> levels_;
 };

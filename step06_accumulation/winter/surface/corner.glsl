@@ -1,11 +1,10 @@
-// A corner of a triangle of the scene, before snow lifts it: what it has in snow_surface.hpp.
+// A corner of a triangle of the scene, before snow lifts it: a SurfaceVertex of snow_surface.hpp.
 
 struct Corner {
     vec3 position;  // m
     vec3 normal;
     vec3 colour;
     vec2 uv;
-    float lift;
+    float displacement;  // 1: moves with the snow, 0: stays
     float skirt;
-    vec4 even;
 };

@@ -16,12 +16,12 @@ SmoothSnow::SmoothSnow(const Columns& columns, int resolution)
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
-    update(Columns::turns, Columns::turns);  // every column, once
+    update(Columns::steps_per_round, Columns::steps_per_round);
 }
 
 void SmoothSnow::update(unsigned tick, int ticks)
 {
-    glBindImageTexture(DEPTH_IMAGE, columns_.depth(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_R16F);
+    glBindImageTexture(DEPTH_IMAGE, columns_.depth(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_RG16F);
     glBindImageTexture(SNOW_IMAGE, texture_, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA8);
     columns_.dispatch(program_, tick, ticks);
 }

@@ -1,5 +1,5 @@
 #version 430 core
-// A point that tessellation added to a triangle, lifted by the snow at its own place.
+// A point that tessellation added to a triangle, lifted by the snow where it lies.
 
 #include "step06_accumulation/winter/surface/surface.glsl"
 
@@ -9,18 +9,17 @@ in Corner control[];
 
 void main()
 {
-    vec3 part = gl_TessCoord;
+    vec3 t = gl_TessCoord;
     // The same on an edge, to the last bit, whichever of its two triangles asks: or there would be cracks.
-    precise vec3 position =
-        part.x * control[0].position + part.y * control[1].position + part.z * control[2].position;
-    precise vec4 even = part.x * control[0].even + part.y * control[1].even + part.z * control[2].even;
+    precise vec3 position = t.x * control[0].position + t.y * control[1].position + t.z * control[2].position;
+    precise float displacement =
+        t.x * control[0].displacement + t.y * control[1].displacement + t.z * control[2].displacement;
     Corner between;
     between.position = position;
-    between.normal = part.x * control[0].normal + part.y * control[1].normal + part.z * control[2].normal;
-    between.colour = part.x * control[0].colour + part.y * control[1].colour + part.z * control[2].colour;
-    between.uv = part.x * control[0].uv + part.y * control[1].uv + part.z * control[2].uv;
-    between.lift = part.x * control[0].lift + part.y * control[1].lift + part.z * control[2].lift;
+    between.normal = t.x * control[0].normal + t.y * control[1].normal + t.z * control[2].normal;
+    between.colour = t.x * control[0].colour + t.y * control[1].colour + t.z * control[2].colour;
+    between.uv = t.x * control[0].uv + t.y * control[1].uv + t.z * control[2].uv;
+    between.displacement = displacement;
     between.skirt = control[0].skirt;
-    between.even = even;
     put_on_snow(between);
 }

@@ -1,12 +1,11 @@
 #include "step06_accumulation/winter/wind/wind_field.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iostream>
 #include <utility>
 
-#include "common/harness/progress.hpp"
+#include "common/bindings.glsl"
 
 namespace {
 
@@ -37,42 +36,21 @@ ivec3 unit(int axis)
     return direction;
 }
 
-// The voxels from `first` on along x, at most 32, a bit each.
-uint32_t bits_along_x(const VoxelGrid& grid, ivec3 first, int count)
-{
-    const int words = grid.resolution / 32;
-    if (first.y < 0 || first.z < 0) return 0;
-    const uint32_t* row = &grid.words[size_t(first.z * grid.resolution + first.y) * size_t(words)];
-    const int word = first.x >> 5;
-    uint64_t bits = word >= 0 ? row[word] : 0;
-    if (word + 1 < words) bits |= uint64_t(row[word + 1]) << 32;
-    return uint32_t((bits >> (first.x & 31)) & ((uint64_t(1) << count) - 1));
-}
-
-// The part of the face below `cell` along `axis` through which one can pass from the middle of one
-// cell to the middle of the other.
-float open_part(const VoxelGrid& grid, ivec3 cell, int axis)
+// The fraction of the face below `cell` along `axis` through which one can pass from the middle of
+// one cell to the middle of the other.
+float open_fraction(const VoxelGrid& grid, ivec3 cell, int axis)
 {
     if (axis == 1 && cell.y == 0) return 0;  // the ground
     const int size = grid.resolution / n;    // of a cell, in voxels
     const int reach = std::max(1, size / 2);
-    const int across = axis == 1 ? 2 : 1;
     int blocked = 0;
-    for (int row = 0; row < size; ++row) {
-        ivec3 voxel = size * cell;
-        if (axis == 0) {
-            for (int column = 0; column < size; ++column) {
-                const ivec3 way = voxel + ivec3(-reach, row, column);
-                blocked += bits_along_x(grid, way, 2 * reach) != 0;
-            }
-        } else {
-            uint32_t in_the_way = 0;
-            voxel[across] += row;
-            for (int depth = -reach; depth < reach; ++depth) {
-                in_the_way |= bits_along_x(grid, voxel + depth * unit(axis), size);
-            }
-            blocked += std::popcount(in_the_way);
-        }
+    for (int i = 0; i < size * size; ++i) {
+        ivec3 voxel = size * cell - reach * unit(axis);
+        voxel[(axis + 1) % 3] += i % size;
+        voxel[(axis + 2) % 3] += i / size;
+        const int end = voxel[axis] + 2 * reach;
+        while (voxel[axis] < end && !grid.solid(voxel)) ++voxel[axis];
+        if (voxel[axis] < end) ++blocked;
     }
     return 1.0f - float(blocked) / float(size * size);
 }
@@ -87,7 +65,8 @@ void add_wake(AirFlow& flow, int axis)
 {
     const bool forwards = flow.speed[axis][0] > 0;
     const int across = (axis + 1) % 3, along = (axis + 2) % 3;
-    std::vector<float> layer(size_t(n) * n, 1.0f), next(layer);  // part of the wind that is left
+    std::vector<float> layer(size_t(n) * n, 1.0f),
+        next(layer);  // fraction of the wind that is left
     const auto left = [&](ivec3 cell) {
         cell.y = std::max(cell.y, 0);  // on the ground as above it, outside of the cube the wind
         const int a = cell[across], b = cell[along];
@@ -131,8 +110,8 @@ float divergence(const AirFlow& flow, ivec3 cell)
     return sum;
 }
 
-// Subtracts the gradient of the pressure, which is 0 outside the cube.
-void subtract_gradient(AirFlow& flow, const std::vector<float>& pressure)
+// The gradient of the pressure, which is 0 outside the cube, as the speeds of a flow.
+void set_gradient(AirFlow& flow, const std::vector<float>& pressure)
 {
     const auto at = [&](ivec3 cell) {
         const bool inside = glm::all(glm::greaterThanEqual(cell, ivec3(0))) &&
@@ -144,7 +123,7 @@ void subtract_gradient(AirFlow& flow, const std::vector<float>& pressure)
             for (int y = 0; y <= n; ++y) {
                 for (int x = 0; x <= n; ++x) {
                     const ivec3 cell(x, y, z);
-                    flow.speed[axis][AirFlow::face(x, y, z)] -= at(cell) - at(cell - unit(axis));
+                    flow.speed[axis][AirFlow::face(x, y, z)] = at(cell) - at(cell - unit(axis));
                 }
             }
         }
@@ -172,7 +151,8 @@ AirFlow flow_around(const VoxelGrid& grid, vec3 wind)
         flow.speed[axis].assign(size_t(n + 1) * (n + 1) * (n + 1), wind[axis]);
         flow.open[axis].assign(flow.speed[axis].size(), 1.0f);
         for_each_cell([&](ivec3 cell) {
-            flow.open[axis][AirFlow::face(cell.x, cell.y, cell.z)] = open_part(grid, cell, axis);
+            flow.open[axis][AirFlow::face(cell.x, cell.y, cell.z)] =
+                open_fraction(grid, cell, axis);
         });
         if (wind[axis] != 0) add_wake(flow, axis);
     }
@@ -182,20 +162,7 @@ AirFlow flow_around(const VoxelGrid& grid, vec3 wind)
     const size_t count = size_t(n) * n * n;
     std::vector<float> pressure(count, 0), rest(count), direction(count), image(count);
     for_each_cell([&](ivec3 cell) { rest[cell_index(cell)] = -divergence(flow, cell); });
-    const auto apply = [&](const std::vector<float>& p, std::vector<float>& result) {
-        for_each_cell([&](ivec3 cell) {
-            const size_t here = cell_index(cell);
-            float sum = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                const ivec3 step = unit(axis), next = cell + step;
-                const float low = cell[axis] > 0 ? p[cell_index(cell - step)] : 0.0f;
-                const float high = next[axis] < n ? p[cell_index(next)] : 0.0f;
-                sum += flow.open[axis][AirFlow::face(cell.x, cell.y, cell.z)] * (p[here] - low) +
-                       flow.open[axis][AirFlow::face(next.x, next.y, next.z)] * (p[here] - high);
-            }
-            result[here] = sum;
-        });
-    };
+    AirFlow gradient = flow;
     const auto dot = [](const std::vector<float>& a, const std::vector<float>& b) {
         double sum = 0;
         for (size_t i = 0; i < a.size(); ++i) sum += double(a[i]) * double(b[i]);
@@ -204,7 +171,8 @@ AirFlow flow_around(const VoxelGrid& grid, vec3 wind)
     direction = rest;
     double squared = dot(rest, rest);
     for (int iteration = 0; iteration < 500 && squared > 1e-7; ++iteration) {
-        apply(direction, image);
+        set_gradient(gradient, direction);
+        for_each_cell([&](ivec3 cell) { image[cell_index(cell)] = -divergence(gradient, cell); });
         const float length = float(squared / dot(direction, image));
         for (size_t i = 0; i < count; ++i) {
             pressure[i] += length * direction[i];
@@ -214,57 +182,72 @@ AirFlow flow_around(const VoxelGrid& grid, vec3 wind)
         for (size_t i = 0; i < count; ++i)
             direction[i] = rest[i] + float(squared / before) * direction[i];
     }
-    subtract_gradient(flow, pressure);
+    set_gradient(gradient, pressure);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (size_t i = 0; i < flow.speed[axis].size(); ++i)
+            flow.speed[axis][i] -= gradient.speed[axis][i];
+    }
     for_each_cell([&](ivec3 cell) {
         flow.residual = std::max(flow.residual, std::abs(divergence(flow, cell)));
     });
     return flow;
 }
 
-WindField::WindField(const VoxelGrid& grid)
+const WindField::Flow& WindField::flow(float along_x, float along_z)
 {
-    Progress progress("wind");
-    float residual = 0;
-    const vec3 winds[] = {vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 0, 1), vec3(0, 0, -1)};
-    for (int i = 0; i < 4; ++i) {
-        const AirFlow flow = flow_around(grid, winds[i]);
-        residual = std::max(residual, flow.residual);
-        const float sign = winds[i].x + winds[i].z;  // the shader multiplies with the wind's own
-        std::vector<vec3> texels(size_t(n) * n * n);
-        for_each_cell([&](ivec3 cell) { texels[cell_index(cell)] = sign * flow.at_cell(cell); });
-        flows_[i] = make_texture();
-        glBindTexture(GL_TEXTURE_3D, flows_[i]);
-        glTexImage3D(GL_TEXTURE_3D, 0, GL_RGB32F, n, n, n, 0, GL_RGB, GL_FLOAT, texels.data());
-        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-            glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
-        }
-        if (progress.due()) progress.report((i + 1) / 4.0);
-    }
-    std::cout << "wind: " << n << "^3 cells, largest divergence " << residual
+    const vec3 wind(along_x, 0, along_z);  // length 1, along one axis
+    Flow& flow = flows_[wind.x > 0 ? 0 : wind.x < 0 ? 1 : wind.z > 0 ? 2 : 3];
+    if (flow.texture != 0) return flow;
+    const AirFlow air = flow_around(grid_, wind);
+    flow.velocity.resize(size_t(n) * n * n);
+    const float sign = wind.x + wind.z;  // the shader multiplies with the wind's own
+    for_each_cell([&](ivec3 cell) { flow.velocity[cell_index(cell)] = sign * air.at_cell(cell); });
+    flow.texture = make_texture();
+    glBindTexture(GL_TEXTURE_3D, flow.texture);
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_RGB32F, n, n, n, 0, GL_RGB, GL_FLOAT, flow.velocity.data());
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+    std::cout << "wind: " << n << "^3 cells, largest divergence " << air.residual
               << " of the speed a cell" << std::endl;
+    return flow;
 }
 
-std::vector<snow::Parameter> WindField::parameters()
+void WindField::bind(vec3 wind)
 {
-    return {
-        {"wind_field", "around the scene", "on/off", 0, 1, "the wind flows around the scene",
-         &wind_field},
-        {"arrows", "arrows", "on/off", 0, 1, "the wind as arrows, the redder the faster", &arrows,
-         'W'},
-        {"gusts", "gusts", "", 0, 2, "largest change of the wind in a gust, relative", &gusts},
+    if (wind.x != 0) bind_texture(WIND_X_UNIT, GL_TEXTURE_3D, flow(wind.x < 0 ? -1 : 1, 0).texture);
+    if (wind.z != 0) bind_texture(WIND_Z_UNIT, GL_TEXTURE_3D, flow(0, wind.z < 0 ? -1 : 1).texture);
+}
+
+// With fixed functions, as in step 1: every other cell along x and z, every third above the ground.
+void WindField::draw_arrows(vec3 wind, const glm::mat4& view, const glm::mat4& projection)
+{
+    const float cell_size = grid_.cell_size * float(grid_.resolution) / n;  // m
+    const auto velocity = [&](size_t cell) {
+        vec3 sum(0);
+        if (wind.x != 0) sum += wind.x * flow(wind.x < 0 ? -1 : 1, 0).velocity[cell];
+        if (wind.z != 0) sum += wind.z * flow(0, wind.z < 0 ? -1 : 1).velocity[cell];
+        return sum;
     };
-}
-
-Program& WindField::use(Permutations& all, const snow::Weather& weather) const
-{
-    const bool flows = wind_field && (weather.wind.x != 0 || weather.wind.z != 0);
-    Program& program = all.with(flows ? "#define AROUND_THE_SCENE\n" : "");
-    program.use();
-    program.set("gusts", gusts);
-    program.set_texture("wind_along_x", WIND_X_UNIT, GL_TEXTURE_3D,
-                        flows_[weather.wind.x < 0 ? 1 : 0]);
-    program.set_texture("wind_along_z", WIND_Z_UNIT, GL_TEXTURE_3D,
-                        flows_[weather.wind.z < 0 ? 3 : 2]);
-    return program;
+    glUseProgram(0);
+    glMatrixMode(GL_PROJECTION);
+    glLoadMatrixf(&projection[0][0]);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixf(&view[0][0]);
+    const vec3 eye(glm::inverse(view)[3]);  // which they are turned towards
+    glBegin(GL_TRIANGLES);
+    for_each_cell([&](ivec3 cell) {
+        if (cell.x % 2 != 0 || cell.z % 2 != 0 || cell.y % 3 != 1 || cell.y > 12) return;
+        const vec3 air = velocity(cell_index(cell));
+        const float speed = glm::length(air) / std::max(glm::length(wind), 0.001f);
+        if (speed < 0.02f) return;
+        const vec3 along = 1.6f * cell_size * std::min(speed, 1.5f) * glm::normalize(air);
+        const vec3 foot = grid_.origin + cell_size * (vec3(cell) + 0.5f) - 0.5f * along;
+        const vec3 across = 0.1f * cell_size * glm::normalize(glm::cross(along, eye - foot));
+        glColor3f(0.5f * speed / 1.3f, 0.1f, 0.5f - 0.5f * speed / 1.3f);
+        for (const vec3 corner : {foot + across, foot - across, foot + along})
+            glVertex3fv(&corner.x);
+    });
+    glEnd();
+    glColor3f(1, 1, 1);
 }

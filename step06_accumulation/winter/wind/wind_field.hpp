@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "common/gl_object.hpp"
-#include "common/weather.hpp"
 #include "step05_collision/voxel_grid.hpp"
-#include "step06_accumulation/winter/permutations.hpp"
 
 // Air that blows with 1 m/s along one axis far from the scene. Its velocity is known on the faces
 // of a coarse grid: component `axis` at face (i, j, k) is the flow from cell i-1 to cell i along
@@ -15,7 +13,7 @@
 struct AirFlow {
     static constexpr int cells = 32;  // along each edge of the voxel grid's cube
     std::vector<float> speed[3];      // m/s, (cells + 1)^3 values each
-    std::vector<float> open[3];       // part of the face that the scene leaves free, 0 to 1
+    std::vector<float> open[3];       // fraction of the face that the scene leaves free, 0 to 1
     float residual;  // largest net flow out of a cell, relative to that through a face
 
     static size_t face(int i, int j, int k)
@@ -31,19 +29,25 @@ struct AirFlow {
 // flows through the ground; on the other sides of the cube it is free to.
 AirFlow flow_around(const VoxelGrid& grid, glm::vec3 wind);
 
-// The flow for wind towards +x, -x, +z and -z. Any wind is a sum of two of them: but for the wakes,
-// the equations are linear.
+// The flow for wind towards +x, -x, +z and -z, each computed when it is first wanted. Any wind is a
+// sum of two of them: but for the wakes, the equations are linear.
 class WindField {
 public:
-    explicit WindField(const VoxelGrid& grid);
+    explicit WindField(const VoxelGrid& grid) : grid_(grid) {}
 
-    static std::vector<snow::Parameter> parameters();
-    inline static bool wind_field = true, arrows = false;
-    inline static float gusts = 0.3f;
+    // Hands the shaders (wind_field.glsl) the flows that make up this wind, m/s.
+    void bind(glm::vec3 wind);
 
-    // Puts a program to use whose shaders include wind_field.glsl, and gives it the flows.
-    Program& use(Permutations& all, const snow::Weather& weather) const;
+    // Draws the wind as arrows, the redder the faster. view, projection: of the camera.
+    void draw_arrows(glm::vec3 wind, const glm::mat4& view, const glm::mat4& projection);
 
 private:
-    GlObject flows_[4];
+    struct Flow {
+        std::vector<glm::vec3> velocity;  // m/s in each cell
+        GlObject texture;                 // the same on the GPU
+    };
+    const Flow& flow(float along_x, float along_z);
+
+    const VoxelGrid& grid_;
+    Flow flows_[4];
 };

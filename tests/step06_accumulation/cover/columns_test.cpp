@@ -78,6 +78,7 @@ protected:
     void let_settle(unsigned rounds)
     {
         weather_block.update(WEATHER_BLOCK, window.options().weather);
+        solid.bind();
         columns.settle(64 * rounds, int(64 * rounds));
     }
 
@@ -172,6 +173,7 @@ TEST_F(SnowThatLies, MeltsFasterTheWarmerItIs)
         thaw.temperature = degrees;
         weather_block.update(WEATHER_BLOCK, thaw);
         const double before = height(cover.read(), cell);
+        solid.bind();
         columns.melt(640, 640, thaw);
         const std::vector<GLuint> mass = cover.read();
         const double lost = before - height(mass, cell);

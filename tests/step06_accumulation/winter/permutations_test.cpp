@@ -1,4 +1,4 @@
-// What the programs of one permutation and of another are made of, in a real window.
+// What the programs of one set of features and of another are made of, in a real window.
 #include "step06_accumulation/winter/permutations.hpp"
 
 #include <gtest/gtest.h>
@@ -12,19 +12,20 @@ TEST(Permutations, HaveNotALineOfWhatIsOff)
     const Window window(small_window(4.3));
     const std::string folder = "step06_accumulation/winter/surface/";
     Permutations all(
-        {{GL_VERTEX_SHADER, folder + "bare.vert"}, {GL_FRAGMENT_SHADER, folder + "bare.frag"}});
+        {{GL_VERTEX_SHADER, folder + "bare.vert"}, {GL_FRAGMENT_SHADER, folder + "bare.frag"}},
+        SHADOW | OCCLUSION);
 
-    const auto has_texture = [&](const std::string& parts, const char* name) {
-        all.with(parts).use();
+    const auto has_texture = [&](unsigned features, const char* name) {
+        all.use(features);
         GLint program = 0;
         glGetIntegerv(GL_CURRENT_PROGRAM, &program);
         return glGetUniformLocation(GLuint(program), name) >= 0;
     };
-    const std::string shadow = "#define SHADOW\n", occlusion = "#define OCCLUSION\n";
-    EXPECT_TRUE(has_texture(shadow + occlusion, "shadow_map"));
-    EXPECT_TRUE(has_texture(shadow + occlusion, "sky_seen"));
-    EXPECT_FALSE(has_texture(shadow, "sky_seen"));
-    EXPECT_FALSE(has_texture(occlusion, "shadow_map"));
-    EXPECT_FALSE(has_texture("", "shadow_map"));
-    EXPECT_EQ(&all.with(shadow), &all.with(shadow));  // nothing is compiled twice
+    EXPECT_TRUE(has_texture(SHADOW | OCCLUSION, "shadow_map"));
+    EXPECT_TRUE(has_texture(SHADOW | OCCLUSION, "sky_visibility"));
+    EXPECT_FALSE(has_texture(SHADOW, "sky_visibility"));
+    EXPECT_FALSE(has_texture(OCCLUSION, "shadow_map"));
+    EXPECT_FALSE(has_texture(0, "shadow_map"));
+    // Nothing is compiled twice, nor for what the shaders do not ask for.
+    EXPECT_EQ(&all.use(SHADOW), &all.use(SHADOW | BLOOM));
 }

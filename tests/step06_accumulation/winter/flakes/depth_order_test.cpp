@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "step06_accumulation/winter/camera/camera_block.hpp"
+#include "step06_accumulation/winter/frame_block.hpp"
 #include "tests/common/harness/small_window.hpp"
 
 class DepthOrderOf : public testing::TestWithParam<unsigned> {};
@@ -15,20 +15,25 @@ TEST_P(DepthOrderOf, SortsThoseThatLive)
 {
     CommandLine command = small_window(4.3, GetParam());
     command.frames = 1;
+    command.lesson.has_scene = true;
+    command.scene = "none";
+    command.voxels = 32;
     Window window(command);
     std::vector<snow::Particle> flakes = make_flakes(command.weather);
     for (unsigned i = 0; i < flakes.size(); ++i) flakes[i] = born(i, i % 3, command.weather);
-    PingPong particles(flakes);
-    LiveFlakes live(GetParam());
-    live.resize(0.6f, particles);
-    CameraBlock camera;
-    DepthOrder order;
+    const ParticleBuffer particles(flakes);
+    const LiveFlakes live(GetParam(), 0.6f);
+    const SolidScene solid(window);
+    FrameBlock frame(solid);
+    UniformBlock<snow::Weather> weather_block;
+    DepthOrder order(GetParam());
     ASSERT_TRUE(window.begin_frame());
-    camera.update(window, 1);
+    weather_block.update(WEATHER_BLOCK, command.weather);
+    frame.update(window, Settings{}, 1);
     order.sort(particles, live);
 
     std::set<unsigned> alive;
-    for (const Range& half : live) {
+    for (const LiveFlakes::Range& half : live) {
         for (int i = half.first; i < half.first + half.count; ++i) alive.insert(unsigned(i));
     }
     std::vector<unsigned> sorted(alive.size());

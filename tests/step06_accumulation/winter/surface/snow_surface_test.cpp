@@ -1,4 +1,4 @@
-// The surface of the snow: deep snow is even on what is not, and the field joins the ground.
+// The surface of the snow, and the field that joins the ground.
 #include "step06_accumulation/winter/surface/snow_surface.hpp"
 
 #include <gtest/gtest.h>
@@ -9,58 +9,8 @@
 #include <utility>
 
 #include "step05_collision/ground.hpp"
-#include "step06_accumulation/winter/surface/hollows.hpp"
-
-namespace {
 
 using glm::vec3;
-
-constexpr float ridge = 0.04f;  // m, above the valley
-
-// A roof of tiles: ridges and valleys 0.1 m apart, along z, on a plane that rises along x.
-float height(float x)
-{
-    return 0.3f * x + ridge * float(int(std::lround(10 * x)) & 1);
-}
-
-std::vector<SurfacePart> tiles()
-{
-    const auto corner = [](int x, float z) {
-        return SurfaceVertex{
-            {{0.1f * float(x), height(0.1f * float(x)), z}, {0, 1, 0}, {}, {}}, 1, 0, {}};
-    };
-    std::vector<SurfacePart> parts(1);
-    for (int x = -20; x < 20; ++x) {
-        const SurfaceVertex a = corner(x, -2), b = corner(x, 2), c = corner(x + 1, 2),
-                            d = corner(x + 1, -2);
-        parts[0].fine.insert(parts[0].fine.end(), {a, b, c, a, c, d});
-    }
-    return parts;
-}
-
-}  // namespace
-
-TEST(Hollows, AreFilledUpToTheMeanPlane)
-{
-    std::vector<SurfacePart> parts = tiles();
-    // Only corners in the middle, around which there is roof on all sides.
-    for (SurfaceVertex& corner : parts[0].fine) corner.vertex.position.z *= 0.1f;
-    std::vector<SurfacePart> around = tiles();
-    around.push_back(parts[0]);
-    find_hollows(around);
-    int seen = 0;
-    for (const SurfaceVertex& corner : around[1].fine) {
-        const vec3 place = corner.vertex.position;
-        if (std::abs(place.x) > 1) continue;
-        ++seen;
-        const float even = place.y + corner.even.w;
-        EXPECT_NEAR(even, 0.3f * place.x + 0.5f * ridge, 0.25f * ridge) << place.x;
-        const vec3 plane = glm::normalize(vec3(-0.3f, 1, 0));
-        EXPECT_GT(glm::dot(vec3(corner.even), plane), 0.995f)
-            << place.x;  // 6 degrees; a tile has 22
-    }
-    EXPECT_GT(seen, 50);
-}
 
 // Where cells are wider than a metre, pieces of a metre show nothing more, and take long to make.
 TEST(SnowSurface, IsNoFinerThanItsCellsAskFor)
@@ -71,17 +21,17 @@ TEST(SnowSurface, IsNoFinerThanItsCellsAskFor)
     scene.indices = {0, 1, 2};
     scene.submeshes.push_back({{}, 0, 3});
     const float fine_enough = 4.7f;
-    const std::vector<SurfacePart> parts = make_snow_surface(scene, fine_enough);
-    EXPECT_TRUE(parts[0].coarse.empty());
+    const std::vector<SurfaceSubmesh> submeshes = make_snow_surface(scene, fine_enough);
+    EXPECT_TRUE(submeshes[0].coarse.empty());
     // Halves of a square are halved until their longest edge is short enough: then it is at least
     // 1 / sqrt(2) of that, and the area a quarter of its square.
     const double smallest = fine_enough * fine_enough / 2 / 4;
-    EXPECT_LE(double(parts[0].fine.size()) / 3, 0.5 * 400 * 400 / smallest);
+    EXPECT_LE(double(submeshes[0].fine.size()) / 3, 0.5 * 400 * 400 / smallest);
 }
 
 // A gentle slope and a steep one below it. Along the edge that they share both go up with the snow
 // alike, or one would see between them.
-TEST(SnowSurface, IsLiftedLessWhereItIsSteep)
+TEST(SnowSurface, IsDisplacedLessWhereItIsSteep)
 {
     Scene scene;
     const vec3 steep_normal = glm::normalize(vec3(1, 0.2f, 0));
@@ -94,14 +44,14 @@ TEST(SnowSurface, IsLiftedLessWhereItIsSteep)
     for (const vec3 place : {b, a, below}) add(place, steep_normal);
     scene.submeshes.push_back({{}, 0, scene.indices.size()});
     int on_edge = 0, at_the_bottom = 0;
-    const std::vector<SurfacePart> parts = make_snow_surface(scene, 4);
-    for (const SurfaceVertex& corner : parts[0].fine) {
+    const std::vector<SurfaceSubmesh> submeshes = make_snow_surface(scene, 4);
+    for (const SurfaceVertex& corner : submeshes[0].fine) {
         const vec3 place = corner.vertex.position;
         if (place.x == 0) {
-            EXPECT_EQ(corner.lift, 1);
+            EXPECT_EQ(corner.displacement, 1);
             on_edge += corner.vertex.normal == steep_normal;
         } else if (place == below) {
-            EXPECT_NEAR(corner.lift, glm::smoothstep(0.1f, 0.4f, steep_normal.y), 1e-5f);
+            EXPECT_NEAR(corner.displacement, glm::smoothstep(0.1f, 0.4f, steep_normal.y), 1e-5f);
             ++at_the_bottom;
         }
     }
@@ -168,7 +118,7 @@ TEST(Field, FacesUp)
     grid.resolution = 32;
     grid.cell_size = 0.5f;
     for (const bool with_middle : {false, true}) {
-        const SurfacePart field = make_field(grid, with_middle);
+        const SurfaceSubmesh field = make_field(grid, with_middle);
         for (const auto* corners : {&field.coarse, &field.bare}) {
             for (size_t i = 0; i < corners->size(); i += 3) {
                 const vec3 a = (*corners)[i].vertex.position, b = (*corners)[i + 1].vertex.position,

@@ -1,9 +1,10 @@
-// How many triangles the whole winter draws, in a window of its own.
+// How many triangles the winter's surface is drawn with, in a window of its own.
 #include <gtest/gtest.h>
 
 #include "common/harness/files.hpp"
-#include "step06_accumulation/cover/snow_cover.hpp"
-#include "step06_accumulation/winter/winter.hpp"
+#include "step06_accumulation/cover/columns.hpp"
+#include "step06_accumulation/winter/frame_block.hpp"
+#include "step06_accumulation/winter/surface/snow_surface.hpp"
 #include "tests/common/harness/small_window.hpp"
 
 // What is not to be divided has the level 1, and is as many triangles as without tessellation: or
@@ -16,18 +17,22 @@ TEST(Tessellation, DividesNothingWhereNoSnowLies)
     command.voxels = 128;  // so fine that there is something to divide
     command.frames = 1;
     Window window(command);
-    SnowCover cover(command.voxels);
     const SolidScene solid(window);
-    Columns columns(solid, cover);
-    Winter winter(window, solid, columns);
-    PingPong particles(make_flakes(command.weather));
+    const SnowCover cover(command.voxels);
+    const Columns columns(solid, cover);
+    FrameBlock frame(solid);
+    UniformBlock<snow::Weather> weather_block;
+    SnowSurface surface(solid);
     ASSERT_TRUE(window.begin_frame());
+    weather_block.update(WEATHER_BLOCK, command.weather);
+    frame.update(window, Settings{}, 0);
+    solid.bind();
+    bind_texture(DEPTH_UNIT, GL_TEXTURE_3D, columns.depth());
     GLuint query = 0, triangles[2] = {};
     glGenQueries(1, &query);
-    for (const int tessellated : {0, 1}) {
-        SnowSurface::tessellation = tessellated == 1;
+    for (const bool tessellated : {false, true}) {
         glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-        winter.draw(window, 0, particles);
+        surface.draw(0, tessellated, 0);
         glEndQuery(GL_PRIMITIVES_GENERATED);
         glGetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles[tessellated]);
     }

@@ -1,5 +1,5 @@
 // The controller of the frame rate, with a simulated program under it.
-#include "step06_accumulation/winter/budget/flake_budget.hpp"
+#include "step06_accumulation/winter/flake_budget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,11 @@
 #include <random>
 #include <vector>
 
-#include "step06_accumulation/winter/budget/live_flakes.hpp"
-
 namespace {
 
 // What frames cost, s: something in any case, something for drawing all flakes, and something for
 // every step they make. The steps follow the clock, as in Window.
-struct Program {
+struct Simulation {
     double fixed, draw, update;
     double noise = 0.1;  // relative, either way
 
@@ -78,7 +76,7 @@ struct Program {
 };
 
 // Frames that depend on the flakes mildly, fully, and steeply (where steps must be caught up).
-std::vector<Program> programs()
+std::vector<Simulation> programs()
 {
     return {{0.010, 0.010, 0.001}, {0.001, 0.020, 0.002}, {0.006, 0.002, 0.014}};
 }
@@ -87,21 +85,21 @@ std::vector<Program> programs()
 
 TEST(FlakeBudget, LeavesTheFlakesAloneUnlessAsked)
 {
-    Program slow{0.1, 0.4, 0.1};
+    Simulation slow{0.1, 0.4, 0.1};
     slow.run(20, 0);
     EXPECT_EQ(slow.budget.share(), 1);
 }
 
 TEST(FlakeBudget, KeepsAllFlakesWhereThereIsTimeForThem)
 {
-    Program fast{0.001, 0.002, 0.001};
+    Simulation fast{0.001, 0.002, 0.001};
     fast.run(20, 60);
     EXPECT_EQ(*std::min_element(fast.shares.begin(), fast.shares.end()), 1);
 }
 
 TEST(FlakeBudget, GivesWayToALoadWithinTwoSecondsAndRecovers)
 {
-    for (Program& program : programs()) {
+    for (Simulation& program : programs()) {
         const float fps = 40;
         program.run(20, fps);
         const double before = program.share_at(20);
@@ -121,7 +119,7 @@ TEST(FlakeBudget, GivesWayToALoadWithinTwoSecondsAndRecovers)
 
 TEST(FlakeBudget, DoesNotChangeByMuchAtATime)
 {
-    for (Program& program : programs()) {
+    for (Simulation& program : programs()) {
         for (const double load : {0.0, 0.1, 0.0}) program.run(10, 40, load);
         for (size_t i = 1; i < program.shares.size(); ++i) {
             EXPECT_LT(program.shares[i], 1.25 * program.shares[i - 1]);
@@ -133,7 +131,7 @@ TEST(FlakeBudget, DoesNotChangeByMuchAtATime)
 
 TEST(FlakeBudget, OverlooksAHitchAndAPause)
 {
-    Program program{0.002, 0.010, 0.002};
+    Simulation program{0.002, 0.010, 0.002};
     program.run(5, 60);
     const float before = program.budget.share();
     program.budget.frame(3, 8, 60, 1);
@@ -146,9 +144,9 @@ TEST(FlakeBudget, OverlooksAHitchAndAPause)
 TEST(FlakeBudget, LeavesFlakesOfBothClouds)
 {
     for (const unsigned particles : {0u, 1u, 2u, 3u, 20001u}) {
-        LiveFlakes live(particles);
+        const LiveFlakes live(particles, 1);
         GLsizei count = 0;
-        for (const Range& half : live) count += half.count;
+        for (const LiveFlakes::Range& half : live) count += half.count;
         EXPECT_EQ(unsigned(count), particles);
         EXPECT_EQ(live.weight(), 1);
     }

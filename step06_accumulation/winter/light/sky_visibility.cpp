@@ -1,4 +1,4 @@
-#include "step06_accumulation/winter/light/ambient_occlusion.hpp"
+#include "step06_accumulation/winter/light/sky_visibility.hpp"
 
 #include <GL/glew.h>
 
@@ -31,8 +31,8 @@ struct Opacity {
             const ivec3 first(int(word) % row * 32, int(word) / row % grid.resolution,
                               int(word) / row / grid.resolution);
             for (int bit = 0; bit < 32; ++bit) {
+                if (((grid.words[word] >> bit) & 1u) == 0) continue;
                 const ivec3 voxel = first + ivec3(bit, 0, 0);
-                if (!grid.solid(voxel)) continue;
                 float& value = values[index(voxel / voxels)];
                 value = std::min(value + of_one_voxel, 1.0f);
                 top = std::max(top, voxel.y / voxels + 1);
@@ -45,13 +45,13 @@ struct Opacity {
         return (size_t(cell.z) * size_t(cells) + size_t(cell.y)) * size_t(cells) + size_t(cell.x);
     }
 
-    // The part of the light that comes from the sky to `place`, in cells, along `direction`.
-    float light_from(vec3 direction, vec3 place) const
+    // The fraction of the light that comes from the sky to `point`, in cells, along `direction`.
+    float light_from(vec3 direction, vec3 point) const
     {
         float light = 1;
         while (light > 0.02f) {
-            place += direction;
-            const ivec3 cell(glm::floor(place));
+            point += direction;
+            const ivec3 cell(glm::floor(point));
             if (cell.y >= top || std::min(cell.x, cell.z) < 0 || std::max(cell.x, cell.z) >= cells)
                 break;
             light *= 1 - values[index(cell)];
@@ -64,7 +64,7 @@ struct Opacity {
     std::vector<float> values;
 };
 
-// Directions above the horizon, each for an equal part of the sky: a spiral that turns by the
+// Directions above the horizon, each for an equal share of the sky: a spiral that turns by the
 // golden angle from each to the next.
 std::array<vec3, directions> sky_directions()
 {
@@ -80,7 +80,7 @@ std::array<vec3, directions> sky_directions()
 
 }  // namespace
 
-AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_texture())
+GlObject make_sky_visibility(const VoxelGrid& grid)
 {
     const Opacity opacity(grid);
     const std::array<vec3, directions> sky = sky_directions();
@@ -98,10 +98,10 @@ AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_textur
                 const size_t cell = opacity.index({x, y, z});
                 // Where there is something in the cell, it is what lies on top of it that is seen.
                 const float height = opacity.values[cell] > 0 ? 1.0f : 0.5f;
-                const vec3 place = vec3(x, y, z) + vec3(0.5f, height, 0.5f);
+                const vec3 point = vec3(x, y, z) + vec3(0.5f, height, 0.5f);
                 vec4 sum(0);
                 for (const vec3 direction : sky) {
-                    sum += opacity.light_from(direction, place) * vec4(2.0f * direction, 1);
+                    sum += opacity.light_from(direction, point) * vec4(2.0f * direction, 1);
                 }
                 // 2: the sky is half of all directions
                 texels[cell] = texel_of(sum / (2.0f * directions));
@@ -109,7 +109,8 @@ AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_textur
         }
     }
 
-    glBindTexture(GL_TEXTURE_3D, texture_);
+    GlObject texture = make_texture();
+    glBindTexture(GL_TEXTURE_3D, texture);
     // 8 bits a channel are enough for light so even, and what hardware filters fastest.
     glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, opacity.cells, opacity.cells, opacity.cells, 0,
                  GL_RGBA, GL_FLOAT, texels.data());
@@ -119,4 +120,5 @@ AmbientOcclusion::AmbientOcclusion(const VoxelGrid& grid) : texture_(make_textur
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
         glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_BORDER);
     }
+    return texture;
 }

@@ -1,5 +1,5 @@
-// What the shaders of the winter are told of the camera, in a real window.
-#include "step06_accumulation/winter/camera/camera_block.hpp"
+// What the shaders of the winter are told of the frame, in a real window.
+#include "step06_accumulation/winter/frame_block.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,19 +7,20 @@
 
 // Where the screen is faster than the snow, a frame makes no step: its flakes are those of the
 // frame before, and so are their streaks.
-TEST(CameraBlock, KeepsTheShutterInAFrameWithoutAStep)
+TEST(FrameBlock, KeepsTheShutterInAFrameWithoutAStep)
 {
-    CommandLine command = small_window(3.3);
+    CommandLine command = small_window(4.3);
+    command.lesson.has_scene = true;
+    command.scene = "none";
+    command.voxels = 32;
     command.frames = 2;
     Window window(command);
-    CameraBlock block;
+    const SolidScene solid(window);
+    FrameBlock block(solid);
     std::vector<float> shutters;
     while (window.begin_frame()) {
         if (shutters.empty()) window.next_tick();
-        block.update(window, 1);
-        snow::CameraView view{};
-        glGetBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof view, &view);
-        shutters.push_back(view.shutter);
+        shutters.push_back(block.update(window, Settings{}, 1).shutter);
         window.swap_buffers();
     }
     EXPECT_EQ(shutters, std::vector<float>(2, command.weather.time_step));

@@ -1,0 +1,33 @@
+// The frame while it is drawn: light, linear and as bright as it is, not yet colours of a screen.
+#pragma once
+
+#include <GL/glew.h>
+
+#include <glm/glm.hpp>
+
+#include "common/gl_object.hpp"
+
+// A texture of linear light that can be drawn to: RGBA16F, filtered. size: pixels.
+GlObject make_target_texture(glm::ivec2 size);
+
+class HdrTarget {
+public:
+    // All that follows is drawn into it. Clears it to `background`. size: of the window, pixels.
+    // multisample: four samples a pixel.
+    void begin(glm::ivec2 size, bool multisample, glm::vec3 background);
+
+    // All is drawn that has edges. What had several samples a pixel has one from here on, and what
+    // follows is blended over it.
+    void resolve() const;
+
+    GLuint colour() const { return colour_; }  // a texture
+    glm::ivec2 size() const { return size_; }
+
+private:
+    void allocate();
+
+    glm::ivec2 size_{};
+    int samples_ = 0;  // a pixel, of what edges are drawn into
+    GlObject colour_, depth_, framebuffer_;
+    GlObject samples_colour_, samples_depth_, samples_framebuffer_;  // where there are several
+};
