@@ -11,13 +11,36 @@ std::vector<snow::Parameter> CoverSettings::parameters()
                          "snow melts where it is warmer than 0 degrees", &melting}});
 }
 
+GlObject make_volume(GLint format, int n)
+{
+    GlObject texture = make_texture(), framebuffer = make_framebuffer();
+    glBindTexture(GL_TEXTURE_3D, texture);
+    glTexImage3D(GL_TEXTURE_3D, 0, format, n, n, n, 0, GL_RGBA, GL_FLOAT, nullptr);
+    check_memory("the depths of snow", 4.0 * n * n * n);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+    const GLfloat zero[4] = {};
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0);  // all layers
+    check_framebuffer("a volume");
+    glClearBufferfv(GL_COLOR, 0, zero);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return texture;
+}
+
 Columns::Columns(const SolidScene& solid, const SnowCover& cover)
     : solid_(solid), cover_(cover),
       settle_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/settle.comp"}}),
       melt_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/melt.comp"}}),
-      measure_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/depth.comp"}})
+      measure_({{GL_COMPUTE_SHADER, "step06_accumulation/cover/depth.comp"}}),
+      depth_(make_volume(GL_RG16F, solid.grid.resolution))
 {
-    clear_depth();
+    const size_t row = size_t(solid.grid.resolution) / 32;  // words
+    for (size_t word = 0; word < solid.grid.words.size(); ++word) {
+        const int y = int(word / row) % solid.grid.resolution;
+        if (solid.grid.words[word] != 0) scene_top_ = std::max(scene_top_, y + 1);
+    }
 }
 
 void Columns::melt(unsigned tick, int ticks, const snow::Weather& weather)
@@ -29,34 +52,6 @@ void Columns::measure(unsigned tick, int ticks)
 {
     glBindImageTexture(DEPTH_IMAGE, depth_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG16F);
     dispatch(measure_, tick, ticks);
-}
-
-// No snow anywhere; and none can ever be within walls, or where there is nothing to lie on. Finds
-// scene_top_, too.
-void Columns::clear_depth()
-{
-    const int n = solid_.grid.resolution;
-    std::vector<GLubyte> depth(2 * size_t(n) * size_t(n) * size_t(n));  // see snow_depth.glsl
-    for (int z = 0; z < n; ++z) {
-        for (int x = 0; x < n; ++x) {
-            bool floor = false;
-            for (int y = 0; y < n; ++y) {
-                const bool wall = y == 0 || solid_.grid.solid({x, y, z});  // as in_base has it
-                floor |= wall;
-                if (wall) scene_top_ = std::max(scene_top_, y + 1);
-                if (floor && !wall)
-                    depth[2 * ((size_t(z) * size_t(n) + size_t(y)) * size_t(n) + size_t(x)) + 1] =
-                        255;
-            }
-        }
-    }
-    glBindTexture(GL_TEXTURE_3D, depth_);
-    glTexImage3D(GL_TEXTURE_3D, 0, GL_RG16F, n, n, n, 0, GL_RG, GL_UNSIGNED_BYTE, depth.data());
-    check_memory("the depths of snow", 2.0 * double(depth.size()));
-    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-        glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
-    }
 }
 
 void Columns::dispatch(Program& program, unsigned tick, int ticks) const

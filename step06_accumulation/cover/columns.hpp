@@ -19,6 +19,9 @@ struct CoverSettings {
     std::vector<snow::Parameter> parameters();
 };
 
+// A 3D texture with n texels along each edge, filtered, in which all is 0.
+GlObject make_volume(GLint format, int n);
+
 class Columns {
 public:
     Columns(const SolidScene& solid, const SnowCover& cover);
@@ -40,11 +43,9 @@ public:
     GLuint depth() const { return depth_; }
 
 private:
-    void clear_depth();
-
     const SolidScene& solid_;
     const SnowCover& cover_;
     Program settle_, melt_, measure_;
-    GlObject depth_ = make_texture();
+    GlObject depth_;
     int scene_top_ = 1;  // the lowest layer of cells above all of the scene
 };

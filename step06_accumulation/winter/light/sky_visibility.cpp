@@ -15,7 +15,7 @@ using glm::vec3;
 using glm::vec4;
 
 constexpr int most_cells = 64;  // along each edge of the grid's cube
-constexpr int directions = 48;  // evenly spread over the sky
+constexpr int directions = 32;  // evenly spread over the sky
 
 // The voxels, so many to a cell: how much of the light that comes along is lost in each.
 struct Opacity {
