@@ -29,9 +29,8 @@
 #define SNOW_UNIT 10    // the snow, smooth
 #define GRAIN_UNIT 11   // of it
 #define FRAME_UNIT 12   // the picture, linear
-#define GLOW_UNIT 13
-#define TERRAIN_UNIT 14  // how high the ground stands
-#define TRIANGLES_UNIT 15
+#define TERRAIN_UNIT 13  // how high the ground stands
+#define TRIANGLES_UNIT 14
 
 // Image units
 #define DEPTH_IMAGE 0

@@ -20,7 +20,6 @@
 #include "step06_accumulation/winter/light/shadow_map.hpp"
 #include "step06_accumulation/winter/light/sky_visibility.hpp"
 #include "step06_accumulation/winter/permutations.hpp"
-#include "step06_accumulation/winter/post/bloom.hpp"
 #include "step06_accumulation/winter/post/hdr_target.hpp"
 #include "step06_accumulation/winter/surface/grain.hpp"
 #include "step06_accumulation/winter/surface/smooth_snow.hpp"
@@ -74,7 +73,6 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
     SnowSurface surface(solid);
     ShadowMap shadow_map;
     HdrTarget hdr_target;
-    Bloom bloom;
     const GlObject sky_visibility = make_sky_visibility(solid.grid), grain = make_grain(),
                    crystals = load_texture("step03_shader_points/snowflakes.png");
     const NoVertices no_vertices;  // of the sky and the whole screen, which shaders know
@@ -179,21 +177,20 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
             glDepthMask(GL_TRUE);
             glDisable(GL_BLEND);
         }
-        glDisable(GL_DEPTH_TEST);
-        glBindVertexArray(no_vertices);
-        if (settings.bloom > 0) {  // reads the frame; writes its light, spread out
+        bind_texture(FRAME_UNIT, GL_TEXTURE_2D, hdr_target.colour());
+        if (settings.bloom > 0) {  // reads the frame; writes its mipmaps
             const auto stage = window.stage("bloom");
-            bloom.update(hdr_target);
-            bind_texture(GLOW_UNIT, GL_TEXTURE_2D, bloom.texture());
+            glGenerateMipmap(GL_TEXTURE_2D);
         }
-        {  // reads the frame and its glow; draws colours into the window
+        {  // reads the frame; draws colours into the window
             const auto stage = window.stage("tone");
             glBindFramebuffer(GL_FRAMEBUFFER, 0);
+            glDisable(GL_DEPTH_TEST);
             programs.tone.use(features);
-            bind_texture(FRAME_UNIT, GL_TEXTURE_2D, hdr_target.colour());
+            glBindVertexArray(no_vertices);
             glDrawArrays(GL_TRIANGLES, 0, 3);
+            glEnable(GL_DEPTH_TEST);
         }
-        glEnable(GL_DEPTH_TEST);
         window.swap_buffers();
     }
     particles.read(flakes);

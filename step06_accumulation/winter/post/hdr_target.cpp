@@ -48,7 +48,13 @@ void HdrTarget::resolve() const
 
 void HdrTarget::allocate()
 {
-    colour_ = make_target_texture(size_);
+    colour_ = make_texture();
+    glBindTexture(GL_TEXTURE_2D, colour_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, size_.x, size_.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glGenerateMipmap(GL_TEXTURE_2D);  // a texture that lacks some cannot be read
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     depth_ = make_renderbuffer_of(GL_DEPTH_COMPONENT24, size_, 1);
     framebuffer_ = make_framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
@@ -66,16 +72,4 @@ void HdrTarget::allocate()
         check_framebuffer("the samples of the frame");
     }
     check_memory("the frame", 12.0 * (samples_ > 1 ? 1 + samples_ : 1) * size_.x * size_.y);
-}
-
-GlObject make_target_texture(glm::ivec2 size)
-{
-    GlObject texture = make_texture();
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    return texture;
 }

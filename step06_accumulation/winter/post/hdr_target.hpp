@@ -7,9 +7,6 @@
 
 #include "common/gl_object.hpp"
 
-// A texture of linear light that can be drawn to: RGBA16F, filtered. size: pixels.
-GlObject make_target_texture(glm::ivec2 size);
-
 class HdrTarget {
 public:
     // All that follows is drawn into it. Clears it to `background`. size: of the window, pixels.
@@ -20,8 +17,7 @@ public:
     // follows is blended over it.
     void resolve() const;
 
-    GLuint colour() const { return colour_; }  // a texture
-    glm::ivec2 size() const { return size_; }
+    GLuint colour() const { return colour_; }  // a texture, whose mipmaps are yet to be made
 
 private:
     void allocate();

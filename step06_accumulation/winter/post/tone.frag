@@ -1,10 +1,9 @@
 #version 430 core
-// The frame's light as colours of the screen, and around what is bright its glow (BLOOM).
+// The frame's light as colours of the screen, and around what is bright the glow that lens and eye make (BLOOM).
 
 #include "step06_accumulation/winter/frame.glsl"
 
-layout(binding = FRAME_UNIT) uniform sampler2D radiance;  // as HdrTarget holds it
-layout(binding = GLOW_UNIT) uniform sampler2D glow;       // the same, spread out
+layout(binding = FRAME_UNIT) uniform sampler2D radiance;  // as HdrTarget holds it; with BLOOM, mipmapped
 
 out vec4 colour;
 
@@ -20,11 +19,28 @@ vec3 for_screen(vec3 light)
     return (0.18 * root + x) / (1.0 + 0.1 * root + x);
 }
 
+// The light of the frame, spread wider and wider: half of it over some 4 pixels, a quarter over 8, and so on. A level
+// of the mipmaps is a blur by boxes; four lookups around make a tent of it.
+vec3 spread_light()
+{
+    vec3 sum = vec3(0.0);
+    for (int level = 2; level <= 6; ++level) {
+        vec2 texel = exp2(float(level)) / vec2(frame.window_size);
+        float weight = level < 6 ? exp2(float(1 - level)) : exp2(float(2 - level));
+        for (int corner = 0; corner < 4; ++corner) {
+            vec2 side = vec2(corner & 1, corner >> 1) - 0.5;
+            vec2 uv = gl_FragCoord.xy / vec2(frame.window_size) + side * texel;
+            sum += 0.25 * weight * textureLod(radiance, uv, float(level)).rgb;
+        }
+    }
+    return sum;
+}
+
 void main()
 {
     vec3 light = texelFetch(radiance, ivec2(gl_FragCoord.xy), 0).rgb;
 #ifdef BLOOM
-    light = mix(light, texture(glow, gl_FragCoord.xy / vec2(frame.window_size)).rgb, frame.bloom);
+    light = mix(light, spread_light(), frame.bloom);
 #endif
     colour = vec4(for_screen(light), 1.0);
 }
