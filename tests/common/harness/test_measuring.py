@@ -15,7 +15,7 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-SWITCHED_OFF = ["arrows", "sort", "bloom", "lamp", "halo"]  # until a key or --set turns them on, or night falls
+SWITCHED_OFF = ["arrows", "sort", "bloom"]  # until a key or --set turns them on
 
 
 def stages_of(step, variant):

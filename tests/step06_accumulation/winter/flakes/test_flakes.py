@@ -92,20 +92,6 @@ def test_brightness_does_not_depend_on_speed(draw):
     assert light[1] == pytest.approx(light[0], rel=0.05)
 
 
-def test_flakes_shrink_in_warm_air(draw):
-    """The longer they have fallen through it; so all together send less light here, by their areas."""
-    shared = ["--particles", 300, *steps(400), "--set", "melt_time=0", "--set", "diameter_0=0.25",
-              "--set", "diameter_1=0.25", "--set", "sky=0", "--set", "fog=0", "--set", "scene=0",
-              "--set", "snowfall=0"]
-    cold, flakes = draw(*shared, "--set", "temperature=0")
-    warm, _ = draw(*shared, "--set", "temperature=5")
-    light = [(radiance(picture) - radiance(picture[0, 0])).sum() for picture in (cold, warm)]
-    _, scale = seen_from_camera(flakes.position[flakes.airborne])
-    left = 0.4 + 0.6 * (1 - numpy.clip(0.02 * 5 * flakes.age[flakes.airborne], 0, 1))
-    # 0.05: as above.
-    assert light[1] / light[0] == pytest.approx(((left * scale) ** 2).sum() / (scale ** 2).sum(), rel=0.05)
-
-
 def test_drops_splash_where_they_come_down(draw):
     shared = ["--weather", "rain", "--particles", 300, *steps(160),
               "--set", "diameter_0=0.1", "--set", "diameter_1=0.1"]
