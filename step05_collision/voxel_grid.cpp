@@ -85,6 +85,7 @@ VoxelGrid place_grid(const Scene& scene, int resolution)
         minimum = glm::min(minimum, vertex.position);
         maximum = glm::max(maximum, vertex.position);
     }
+    minimum.y = std::min(minimum.y, 0.0f);  // from the ground on, however high all of it stands
     const vec3 size = maximum - minimum;
     VoxelGrid grid{};
     grid.resolution = resolution;

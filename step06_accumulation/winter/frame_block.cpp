@@ -112,7 +112,8 @@ FrameBlock::FrameBlock(const SolidScene& solid)
 const snow::Frame& FrameBlock::update(const Window& window, const Settings& settings, unsigned tick)
 {
     const snow::Weather& weather = window.options().weather;
-    see(window, tick);
+    see(window);
+    cover_field(weather, settings.cover.melting, tick);
     light(weather, settings, float(tick) * weather.time_step);
     frame_.exposure = settings.exposure;
     frame_.bloom = settings.bloom;
@@ -139,7 +140,7 @@ unsigned FrameBlock::features(const Settings& settings, const snow::Weather& wea
     return features;
 }
 
-void FrameBlock::see(const Window& window, unsigned tick)
+void FrameBlock::see(const Window& window)
 {
     const snow::Weather& weather = window.options().weather;
     const bool first = frame_.window_size.x == 0;
@@ -154,13 +155,23 @@ void FrameBlock::see(const Window& window, unsigned tick)
             float(window.ticks()) * weather.time_step / float(window.options().timelapse);
     }
     frame_.window_size = window.size();
+}
+
+// Adds to the snow on open ground what has come and gone since the frame before.
+void FrameBlock::cover_field(const snow::Weather& weather, bool melting, unsigned tick)
+{
     // The first flakes, fewer than there will be, fall and lie for a while before they are part of
     // the cover; and depth.comp lets that appear in some ten rounds.
     const snow::Emitter& cloud = weather.emitters[0];
     const float late = 1.25f * cloud.centre.y / cloud.terminal_speed + weather.melt_time +
                        10 * Columns::steps_per_round * weather.time_step;  // s
-    frame_.field_depth =
-        weather.snowfall / 60.0f * std::max(float(tick) * weather.time_step - late, 0.0f);
+    const float now = float(tick) * weather.time_step,
+                before = float(tick_before_) * weather.time_step;
+    tick_before_ = tick;
+    const float snows = std::max(now, late) - std::max(before, late);                 // s
+    const float thaw = melting ? 0.01f * std::max(weather.temperature, 0.0f) : 0.0f;  // m/min
+    frame_.field_depth = std::max(
+        frame_.field_depth + (weather.snowfall * snows - thaw * (now - before)) / 60.0f, 0.0f);
 }
 
 // seconds: since the first flake.
@@ -197,7 +208,7 @@ void FrameBlock::light(const snow::Weather& weather, const Settings& settings, f
     frame_.twilight = std::exp(-0.04f * from_horizon * from_horizon) * vec3(0.70f, 0.28f, 0.08f);
 
     // The ground sends back what falls on it, snow more than stone.
-    const float white = smoothstep(0.0f, 0.02f, weather.snowfall / 60 * seconds);
+    const float white = smoothstep(0.0f, 0.02f, frame_.field_depth);
     frame_.ground =
         mix(0.2f, 0.7f, white) * (frame_.sky + std::max(frame_.to_sun.y, 0.0f) * frame_.sun);
 

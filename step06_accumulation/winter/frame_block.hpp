@@ -25,11 +25,13 @@ public:
     unsigned features(const Settings& settings, const snow::Weather& weather) const;
 
 private:
-    void see(const Window& window, unsigned tick);
+    void see(const Window& window);
+    void cover_field(const snow::Weather& weather, bool melting, unsigned tick);
     void light(const snow::Weather& weather, const Settings& settings, float seconds);
 
     UniformBlock<snow::Frame> block_;
     snow::Frame frame_{};
+    unsigned tick_before_ = 0;           // of the last update
     glm::vec3 lowest_{-1}, highest_{1};  // m, corners of a box around the scene
     glm::vec3 lamp_light_{};             // of the lamp that the scene has, when it is on
 };

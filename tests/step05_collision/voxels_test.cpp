@@ -297,3 +297,14 @@ TEST(VoxelWalk, NeverEndsInASolidVoxel)
     }
     EXPECT_GT(hits, 1000);
 }
+
+// A grid begins at the ground, on which flakes land in any case, and reaches what stands high above
+// it.
+TEST(VoxelGrid, HoldsWhatHasNothingBelowIt)
+{
+    Scene roof;
+    add_triangle(roof, {-1, 5, -1}, {-1, 5, 1}, {1, 5, 1});
+    const VoxelGrid grid = voxelise(roof, 64);
+    EXPECT_LT(grid.origin.y, 0);
+    EXPECT_TRUE(grid.solid(ivec3(floor((vec3(-0.5f, 5, 0) - grid.origin) / grid.cell_size))));
+}
