@@ -16,7 +16,7 @@ packages_of()
     case $1 in
         # A compiler, and the libraries of all six steps.
         build) echo "g++ cmake make pkg-config|pkgconf freeglut3-dev|libglut-dev libglew-dev" \
-                    "libglm-dev libstb-dev libcli11-dev libimgui-dev" ;;
+                    "libglm-dev libstb-dev libcli11-dev libimgui-dev libtinyobjloader-dev" ;;
         # A display in memory, and OpenGL in software, for machines that have neither.
         headless) echo "xvfb xauth libgl1-mesa-dri" ;;
         # common/compare/compare.py.

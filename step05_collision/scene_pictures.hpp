@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,9 +22,8 @@ public:
 private:
     GLuint load(const Material& material);
 
-    // By the files of picture and mask, and of one colour.
+    // By the files of picture and mask.
     std::map<std::pair<std::filesystem::path, std::filesystem::path>, GlObject> loaded_;
-    GlObject white_, grey_;
+    GlObject white_;
     std::vector<GLuint> of_submesh_;
-    std::string warnings_;
 };

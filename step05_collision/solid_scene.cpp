@@ -3,7 +3,6 @@
 #include <chrono>
 #include <iostream>
 
-#include "common/scene/terrain.hpp"
 #include "common/window.hpp"
 #include "step05_collision/ground.hpp"
 #include "step05_collision/voxelise_on_gpu.hpp"

@@ -1,169 +1,150 @@
 #include "common/scene/obj.hpp"
 
-#include <algorithm>
-#include <charconv>
-#include <optional>
-#include <utility>
+#define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE  // coordinates of maps are large and differ little
+#include <tiny_obj_loader.h>
 
-#include "common/harness/progress.hpp"
+#include <algorithm>
+#include <array>
+#include <glm/gtc/type_ptr.hpp>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/harness/files.hpp"
 
 namespace fs = std::filesystem;
+using glm::dvec3;
+using glm::vec3;
 
 namespace {
 
-class Reader {
-public:
-    explicit Reader(const fs::path& path) : path_(path), obj_{{}, {}, {}, {}, {}, Materials(path)}
-    {}
+void warn(const fs::path& path, const std::string& loss)
+{
+    std::cerr << "warning: " << path.string() << ": " << loss << "; faces are grey" << std::endl;
+}
 
-    Obj read() &&
-    {
-        Statements statements(path_);
-        Progress progress("reading the scene");
-        Polygon polygon;  // what the next one will have but its corners
-        while (const std::optional<Statement> statement = statements.next()) {
-            line_ = statement->line;
-            if (progress.due()) progress.report(statements.done());
-            if (statement->keyword == "v") {
-                read_point(without_comment(statement->rest));
-            } else if (statement->keyword == "f") {
-                read_polygon(without_comment(statement->rest), polygon);
-            } else if (statement->keyword == "vt") {
-                const glm::dvec3 uv = read_numbers(*statement, 1);
-                obj_.uvs.emplace_back(glm::clamp(uv, -1e6, 1e6));
-            } else if (statement->keyword == "vn") {
-                const glm::dvec3 normal = read_numbers(*statement, 3);
-                obj_.normals.emplace_back(glm::clamp(normal, -1e6, 1e6));
-            } else if (statement->keyword == "s") {
-                polygon.smoothing = to_group(without_comment(statement->rest));
-            } else if (statement->keyword == "usemtl") {
-                polygon.material = obj_.materials.find(*statement);
-            } else if (statement->keyword == "mtllib") {
-                obj_.materials.read(*statement);
-            }
+// The text of an OBJ or MTL file as the library understands it: without byte order mark,
+// comments behind numbers, blanks and backslashes in names, and lines that end in a backslash.
+// Appends to `mtl` the same of the MTL files that it names.
+std::string read_statements(const fs::path& path, std::string* mtl)
+{
+    std::string text = read_file(path), line, statement, line_ends, result;
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    std::istringstream lines(text);
+    for (int number = 1; std::getline(lines, line); ++number) {
+        statement += line.substr(0, line.find_last_not_of(" \t\r") + 1);
+        line_ends += '\n';  // as many as the statement has, and the next keeps its number
+        if (statement.ends_with('\\') && statement[0] != '#') {
+            statement.back() = ' ';
+            continue;
         }
-        check_corners();
-        return std::move(obj_);
-    }
-
-private:
-    [[noreturn]] void refuse(const std::string& reason) const
-    {
-        refuse_scene(path_, "line " + std::to_string(line_) + ": " + reason);
-    }
-
-    // x y z, x y z w, or x y z red green blue
-    void read_point(std::string_view words)
-    {
-        double numbers[6];
-        int count = 0;
-        for (; count < 6 && !words.empty(); ++count) {
-            const std::string_view word = take_word(words);
-            const std::optional<double> number = to_number(word);
-            if (!number && count < 3) refuse(quoted(word) + " is no coordinate");
-            numbers[count] = number.value_or(0);
+        std::replace(statement.begin(), statement.end(), '\\', '/');
+        const std::string keyword = statement.substr(0, statement.find_first_of(" \t"));
+        std::string rest = statement.substr(keyword.size());
+        rest.erase(0, rest.find_first_not_of(" \t"));
+        if (keyword == "v" || keyword == "f") rest.erase(std::min(rest.find('#'), rest.size()));
+        if (keyword == "v" && rest.find_first_not_of("+-.0123456789eE \t") != rest.npos)
+            throw std::runtime_error("line " + std::to_string(number) + ": '" + rest +
+                                     "' are no coordinates (export it again)");
+        if (keyword == "newmtl" || keyword == "usemtl")
+            std::replace(rest.begin(), rest.end(), ' ', '_');
+        if (mtl != nullptr && keyword == "mtllib") {
+            const fs::path file = path.parent_path() / path_of(rest);
+            if (!fs::is_regular_file(file))
+                warn(path, "there is no " + file.string());
+            else
+                *mtl += read_statements(file, nullptr);
         }
-        if (count < 3) refuse(std::to_string(count) + " coordinates, at least 3 are needed");
-        obj_.points.emplace_back(numbers[0], numbers[1], numbers[2]);
-        glm::vec3 colour = Material{}.colour;
-        if (count == 6)
-            colour = glm::clamp(glm::dvec3(numbers[3], numbers[4], numbers[5]), 0.0, 1.0);
-        obj_.colours.push_back(colour);
+        result += keyword + ' ' + rest + line_ends;
+        statement = line_ends = "";
     }
+    return result;
+}
 
-    // Up to three, of which `least` must be there: without them the scene still has its shape.
-    glm::dvec3 read_numbers(const Statement& statement, int least)
-    {
-        std::string_view words = without_comment(statement.rest);
-        glm::dvec3 numbers(0);
-        int count = 0;
-        for (; count < 3 && !words.empty(); ++count) {
-            const std::optional<double> number = to_number(take_word(words));
-            if (!number) break;
-            numbers[count] = *number;
-        }
-        if (count >= least) return numbers;
-        obj_.materials.warnings.add(path_, statement, "not as many numbers as it needs, 0 instead");
-        return glm::dvec3(0);
-    }
+// folder: that of its pictures.
+Material to_material(const tinyobj::material_t& from, const fs::path& folder)
+{
+    const auto path = [&](const std::string& name) {
+        return name.empty() ? fs::path() : folder / path_of(name);
+    };
+    Material material;
+    material.colour = glm::clamp(glm::make_vec3(from.diffuse), 0.0, 1.0);
+    material.light =
+        glm::clamp(glm::make_vec3(from.emission), 0.0, 1000.0);  // white paper by day: 1
+    material.picture = path(from.diffuse_texname);
+    material.mask = path(from.alpha_texname);
+    material.uv_scale = glm::vec2(glm::make_vec3(from.diffuse_texopt.scale));
+    material.uv_offset = glm::vec2(glm::make_vec3(from.diffuse_texopt.origin_offset));
+    // Many write black where the picture has the colour.
+    if (material.colour == vec3(0) && !material.picture.empty()) material.colour = vec3(1);
+    return material;
+}
 
-    // A number; 0 is "off".
-    static uint32_t to_group(std::string_view words)
-    {
-        const std::string_view word = take_word(words);
-        uint32_t group = 0;
-        std::from_chars(word.data(), word.data() + word.size(), group);
-        return lower_case(word) == "on" ? 1 : group;
-    }
-
-    void read_polygon(std::string_view words, Polygon polygon)
-    {
-        while (!words.empty()) polygon.corners.push_back(to_corner(take_word(words)));
-        const size_t count = polygon.corners.size();
-        if (count < 3) refuse(std::to_string(count) + " corners, at least 3 are needed");
-        constexpr size_t most = 10000;  // or the time to cut it into triangles would show
-        if (count > most) {
-            refuse(std::to_string(count) + " corners, at most " + std::to_string(most) +
-                   " can be read (divide the face)");
-        }
-        obj_.polygons.push_back(std::move(polygon));
-        lines_.push_back(line_);
-    }
-
-    // A point, counted from 1, or backwards from the last; texture coordinates and a normal,
-    // counted alike, may follow behind slashes.
-    Corner to_corner(std::string_view word) const
-    {
-        int64_t point = 0;
-        const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), point);
-        std::string_view rest = word.substr(size_t(stop - word.data()));
-        if (error == std::errc::invalid_argument || (!rest.empty() && rest[0] != '/') ||
-            rest.find_first_not_of("/-0123456789") != rest.npos) {
-            refuse(quoted(word) + " is no corner");
-        }
-        if (point < 0) point += int64_t(obj_.points.size()) + 1;
-        if (error != std::errc() || point < 1 || point >= Corner::none)
-            refuse(quoted(word) + " is not one of the vertices, which are counted from 1");
-        const auto behind_slash = [&](size_t count) {
-            rest.remove_prefix(std::min<size_t>(rest.size(), 1));
-            int64_t number = 0;
-            std::from_chars(rest.data(), rest.data() + rest.size(), number);
-            rest.remove_prefix(std::min(rest.find('/'), rest.size()));
-            if (number < 0) number += int64_t(count) + 1;
-            return number < 1 || number >= Corner::none ? Corner::none : uint32_t(number - 1);
-        };
-        Corner corner{uint32_t(point - 1)};
-        corner.uv = behind_slash(obj_.uvs.size());
-        corner.normal = behind_slash(obj_.normals.size());
-        return corner;
-    }
-
-    // Points may come behind the polygons that they are corners of. Without texture coordinates or
-    // a normal there is still a corner.
-    void check_corners()
-    {
-        const size_t count = obj_.points.size();
-        for (size_t i = 0; i < lines_.size(); ++i) {
-            line_ = lines_[i];
-            for (Corner& corner : obj_.polygons[i].corners) {
-                if (corner.uv >= obj_.uvs.size()) corner.uv = Corner::none;
-                if (corner.normal >= obj_.normals.size()) corner.normal = Corner::none;
-                if (corner.point < count) continue;
-                refuse("there is no vertex " + std::to_string(corner.point + 1) + ", the last is " +
-                       std::to_string(count));
-            }
-        }
-    }
-
-    fs::path path_;
-    Obj obj_;
-    int line_ = 0;
-    std::vector<int> lines_;  // of the polygons
-};
+// The vector at an index of the library's plain numbers; `otherwise` if the index is none of them.
+template <typename Vector>
+Vector read(const std::vector<double>& numbers, int index, Vector otherwise)
+{
+    const size_t first = size_t(Vector::length()) * size_t(index);
+    if (first < numbers.size()) std::copy_n(&numbers[first], Vector::length(), &otherwise[0]);
+    return otherwise;
+}
 
 }  // namespace
 
-Obj read_obj(const fs::path& path)
+Obj read_obj(const fs::path& path, char up)
 {
-    return Reader(path).read();
+    std::string mtl, warnings, errors;
+    const std::string statements = read_statements(path, &mtl);
+    std::istringstream obj_stream(statements), mtl_stream(mtl);
+    tinyobj::MaterialStreamReader mtl_reader(mtl_stream);
+    tinyobj::attrib_t file;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    if (!tinyobj::LoadObj(&file, &shapes, &materials, &warnings, &errors, &obj_stream, &mtl_reader,
+                          false, false))  // no triangles, and no colours where the file has none
+        throw std::runtime_error(errors.substr(0, errors.find('\n')) + " (export it again)");
+    if (const size_t lost = warnings.find("material ["); lost != warnings.npos)
+        warn(path, warnings.substr(lost, warnings.find('\n', lost) - lost));
+    if (!mtl.empty() && statements.find("usemtl ") == statements.npos)
+        warn(path, "it uses none of its materials");
+
+    Obj obj;
+    obj.materials.emplace_back();
+    if (!file.colors.empty()) obj.materials[0].colour = vec3(1);
+    for (const tinyobj::material_t& material : materials)
+        obj.materials.push_back(to_material(material, path.parent_path()));
+    const auto turn = [up](dvec3 v) { return up == 'z' ? dvec3(v.x, v.z, -v.y) : v; };
+    std::map<std::array<double, 3>, size_t> indices;
+    for (const auto& [name, mesh, paths, dots] : shapes) {
+        auto corner = mesh.indices.begin();
+        for (size_t i = 0; i < mesh.num_face_vertices.size(); ++i) {
+            Polygon polygon{{}, size_t(mesh.material_ids[i] + 1), mesh.smoothing_group_ids[i]};
+            const Material& material = obj.materials[polygon.material];
+            for (const auto end = corner + mesh.num_face_vertices[i]; corner != end; ++corner) {
+                const auto [at, normal_at, uv_at] = *corner;
+                const dvec3 point = turn(read(file.vertices, at, dvec3(NAN))),
+                            normal = turn(read(file.normals, normal_at, dvec3(0)));
+                const vec3 colour = glm::clamp(read(file.colors, at, dvec3(1)), 0.0, 1.0);
+                const glm::vec2 uv = read(file.texcoords, uv_at, glm::dvec2(0));
+                if (std::isnan(point.x)) throw std::runtime_error("a face has an unknown vertex");
+                obj.least = glm::min(obj.least, point);
+                obj.most = glm::max(obj.most, point);
+                const auto index = indices.insert({{point.x, point.y, point.z}, obj.points}).first;
+                obj.points = indices.size();
+                polygon.corners.push_back({index->second,
+                                           point,
+                                           {{},
+                                            normal,
+                                            material.colour * colour,
+                                            material.uv_scale * uv + material.uv_offset}});
+            }
+            obj.polygons.push_back(std::move(polygon));
+        }
+        if (corner != mesh.indices.end())  // the library counts those of a face in one byte
+            throw std::runtime_error("a face has more than 255 corners (export it as triangles)");
+    }
+    if (obj.polygons.empty()) throw std::runtime_error("it has no faces: export it as polygons");
+    return obj;
 }

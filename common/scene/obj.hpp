@@ -1,41 +1,30 @@
-// Wavefront OBJ files: the surfaces and their materials; all else in them is passed over.
+// Wavefront OBJ files: their polygons and materials, read by tinyobjloader.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <glm/glm.hpp>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include <cmath>
 
-#include "common/scene/materials.hpp"
+#include "common/scene/scene.hpp"
 
 struct Corner {
-    static constexpr uint32_t none = UINT32_MAX;
-    uint32_t point;                     // which, counted from 0
-    uint32_t uv = none, normal = none;  // the same, where the file has them
+    size_t index;      // of its point: equal where corners meet
+    glm::dvec3 point;  // in the file, but y up
+    Vertex vertex;     // without a position, and with a normal of 0 where the file has none
+
+    glm::dvec3 position() const { return vertex.position; }  // m, once the scene has its place
 };
 
 struct Polygon {
     std::vector<Corner> corners;  // at least three
-    size_t material = 0;          // its number
-    uint32_t smoothing = 0;       // smooth where it meets others of this group; 0: flat
+    size_t material;              // index
+    unsigned smoothing;           // smooth where it meets others of this group; 0: flat
 };
 
 struct Obj {
-    std::vector<glm::dvec3> points;  // as in the file
-    std::vector<glm::vec3> colours;  // of each point: what has no material is drawn in them
-    std::vector<glm::vec2> uvs;      // texture coordinates
-    std::vector<glm::vec3> normals;  // of any length
-    std::vector<Polygon> polygons;
-    Materials materials;
+    size_t points = 0;                            // that differ
+    glm::dvec3 least{INFINITY}, most{-INFINITY};  // x, y and z of them
+    std::vector<Polygon> polygons;                // at least one
+    std::vector<Material> materials;              // the first is for polygons without one
 };
 
-// Throws std::runtime_error naming file and line.
-Obj read_obj(const std::filesystem::path& path);
-
-// Throws std::runtime_error naming the scene.
-[[noreturn]] inline void refuse_scene(const std::filesystem::path& path, const std::string& reason)
-{
-    throw std::runtime_error("cannot use scene " + path.string() + ": " + reason);
-}
+// up: as for load_scene. Throws std::runtime_error.
+Obj read_obj(const std::filesystem::path& path, char up);

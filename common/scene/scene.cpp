@@ -1,195 +1,204 @@
 #include "common/scene/scene.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <iostream>
-#include <sstream>
-#include <string_view>
-#include <unordered_map>
+#include <map>
+#include <numeric>
+#include <stdexcept>
 #include <utility>
 
-#include "common/scene/normals.hpp"
 #include "common/scene/obj.hpp"
-#include "common/scene/orientation.hpp"
-#include "common/scene/polygon.hpp"
-
-namespace {
 
 using glm::dvec3;
+using glm::ivec2;
 using glm::vec2;
 using glm::vec3;
 
-dvec3 turn(dvec3 p, char up)
-{
-    return up == 'z' ? dvec3(p.x, p.z, -p.y) : p;
-}
+namespace {
 
 // How to move the scene to the middle, and to scale it into its box unless it keeps its metres.
-Placement fit(const std::filesystem::path& path, const Obj& obj, char up, bool in_metres)
+Placement fit(const Obj& obj, bool in_metres)
 {
-    dvec3 least(INFINITY), most(-INFINITY);
+    const dvec3 room = dvec3(16, 6, 16) / (obj.most - obj.least);  // m, against the size there
+    const double factor = in_metres ? 1 : std::min({room.x, room.y, room.z});
+    if (!(factor > 0 && factor < INFINITY)) throw std::runtime_error("its vertices are one point");
+    const dvec3 middle = 0.5 * (obj.least + obj.most);
+    return {factor, {middle.x, obj.least.y, middle.z}};
+}
+
+// Along its normal, or if it is not flat, that of the plane in which it covers most (Newell's);
+// twice as long as its area there, m2.
+dvec3 area_vector(const Polygon& polygon)
+{
+    dvec3 sum(0);
+    const dvec3 a = polygon.corners[0].position();
+    for (size_t i = 1; i + 1 < polygon.corners.size(); ++i)
+        sum += glm::cross(polygon.corners[i].position() - a, polygon.corners[i + 1].position() - a);
+    return sum;
+}
+
+// Turns over what would carry its snow below: sheets that face down, bodies that are inside out.
+void orient(Obj& obj)
+{
+    // A surface is all polygons that have points in common. Each point knows another of its
+    // surface, and so on until the last, which knows itself.
+    std::vector<size_t> next(obj.points);
+    std::iota(next.begin(), next.end(), size_t(0));
+    const auto last = [&](size_t point) {
+        while (next[point] != point) point = next[point] = next[next[point]];
+        return point;
+    };
+    struct Surface {
+        dvec3 origin;                             // one of its points
+        double upward = 0, area = 0, volume = 0;  // m2, m2 and m3, times 2, 2 and 6
+    };
+    std::vector<Surface> surfaces(obj.points);  // at their last points
     for (const Polygon& polygon : obj.polygons) {
         for (const Corner& corner : polygon.corners) {
-            least = glm::min(least, turn(obj.points[corner.point], up));
-            most = glm::max(most, turn(obj.points[corner.point], up));
+            next[last(corner.index)] = last(polygon.corners[0].index);
+            surfaces[corner.index].origin = corner.vertex.position;
         }
     }
-    const dvec3 room(16, 6, 16), size = most - least;  // m
-    const double largest = std::max({size.x, size.y, size.z});
-    if (largest == 0) refuse_scene(path, "all its vertices are one point");
-    if (!(largest > 1e-30 && largest < 1e30)) {
-        std::ostringstream reason;
-        reason << "it is " << largest << " across, not within 1e-30 and 1e30";
-        refuse_scene(path, reason.str());
-    }
-    double factor = 1;
-    if (!in_metres) {
-        factor = INFINITY;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (size[axis] > 0) factor = std::min(factor, room[axis] / size[axis]);
-        }
-    }
-    const dvec3 foot(0.5 * (least.x + most.x), least.y, 0.5 * (least.z + most.z));
-    return {factor, foot};
-}
-
-// Where its points lie in the world. Computed in double precision, as coordinates may be large and
-// differ little: those of maps count from the equator.
-std::vector<vec3> place(const std::filesystem::path& path, const Obj& obj, char up,
-                        const Placement& placement, bool in_metres)
-{
-    // m; beyond, voxels would be too large for what is drawn, and the camera would not see so far.
-    const double most = in_metres ? 1000 : 100;
-    std::vector<vec3> points;
-    for (const dvec3& point : obj.points)
-        points.emplace_back(placement.factor * (turn(point, up) - placement.foot));
     for (const Polygon& polygon : obj.polygons) {
-        for (const Corner& corner : polygon.corners) {
-            if (glm::length(points[corner.point]) <= most) continue;
-            refuse_scene(path, in_metres
-                                   ? "it reaches farther than 1000 m from its middle or from the "
-                                     "scene that it belongs to (--metres scales nothing)"
-                                   : "it reaches farther than 100 m from the scene that it "
-                                     "belongs to (give both the same coordinates)");
-        }
+        Surface& surface = surfaces[last(polygon.corners[0].index)];
+        const dvec3 front = area_vector(polygon);
+        surface.upward += front.y;
+        surface.area += glm::length(front);
+        surface.volume += glm::dot(polygon.corners[0].position() - surface.origin, front);
     }
-    return points;
+    for (Polygon& polygon : obj.polygons) {
+        const Surface& surface = surfaces[last(polygon.corners[0].index)];
+        const bool is_sheet = std::abs(surface.upward) > 0.1 * surface.area;        // and no body
+        if (is_sheet ? surface.upward < 0 : surface.volume < -1e-5 * surface.area)  // or rounding
+            std::reverse(polygon.corners.begin() + 1, polygon.corners.end());
+    }
 }
 
-// Vertices that are the same in every bit are one.
-struct Equal {
-    bool operator()(const Vertex& a, const Vertex& b) const
-    {
-        return std::memcmp(&a, &b, sizeof(Vertex)) == 0;
-    }
-};
-struct Hash {
-    size_t operator()(const Vertex& vertex) const
-    {
-        return std::hash<std::string_view>()(
-            {reinterpret_cast<const char*>(&vertex), sizeof(Vertex)});
-    }
-};
-
-// Has it a picture, and a place in that for each of its corners?
-bool is_pictured(const Polygon& polygon, const Materials& materials)
+// Cuts off one ear after the other, a corner that points outwards and whose triangle holds no other
+// corner (Meisters 1975, "Polygons have ears"): first that with the shortest cut, which avoids
+// slivers.
+std::vector<Polygon> cut_into_triangles(Polygon polygon)
 {
-    return materials[polygon.material].has_picture() &&
-           std::none_of(polygon.corners.begin(), polygon.corners.end(),
-                        [](const Corner& corner) { return corner.uv == Corner::none; });
+    // > 0 where a, b, c turn left, as the polygon as a whole does.
+    const auto turn = [front = area_vector(polygon)](dvec3 a, dvec3 b, dvec3 c) {
+        return glm::dot(front, glm::cross(b - a, c - a));
+    };
+    std::vector<Polygon> triangles;
+    std::vector<Corner>& left = polygon.corners;
+    for (size_t count = left.size(); count >= 3; --count) {
+        size_t ear = 0;
+        double shortest = INFINITY;
+        const auto at = [&](size_t i) { return left[i % count]; };
+        for (size_t i = 0; i < count; ++i) {
+            const dvec3 a = at(i + count - 1).position(), b = at(i).position(),
+                        c = at(i + 1).position();
+            const auto holds = [&](dvec3 p) {
+                return turn(a, b, p) > 0 && turn(b, c, p) > 0 && turn(c, a, p) > 0;
+            };
+            if (glm::distance(a, c) >= shortest || turn(a, b, c) <= 0 ||
+                std::ranges::any_of(left, holds, &Corner::position))
+                continue;
+            ear = i;
+            shortest = glm::distance(a, c);
+        }
+        triangles.push_back({{at(ear + count - 1), at(ear), at(ear + 1)}, 0, 0});
+        left.erase(left.begin() + ptrdiff_t(ear));
+    }
+    return triangles;
 }
 
-// Puts triangles of polygons together, whose materials come one after the other.
-class Builder {
-public:
-    explicit Builder(const Obj& obj, const std::vector<vec3>& points) : obj_(obj), points_(points)
-    {
-        for (const Polygon& polygon : obj.polygons) add(polygon);
+// The triangles of polygons whose materials come one after the other.
+Scene build(const Obj& obj)
+{
+    std::map<std::pair<unsigned, size_t>, dvec3> smooth;  // normals by smoothing group and point
+    for (const Polygon& polygon : obj.polygons) {
+        for (const Corner& corner : polygon.corners)
+            smooth[{polygon.smoothing, corner.index}] += area_vector(polygon);
     }
-
+    const auto of_length_1 = [](dvec3 direction, dvec3 otherwise) {
+        return vec3(direction == dvec3(0) ? otherwise : glm::normalize(direction));
+    };
     Scene scene;
-
-private:
-    void add(const Polygon& polygon)
-    {
-        const bool pictured = is_pictured(polygon, obj_.materials);
-        if (scene.submeshes.empty() || polygon.material != material_ || pictured != pictured_) {
-            material_ = polygon.material;
-            pictured_ = pictured;
-            scene.submeshes.push_back({obj_.materials[material_], scene.indices.size(), 0});
-            Material& material = scene.submeshes.back().material;
-            if (!pictured) material.picture = material.mask = "";
+    using Numbers = std::array<float, 11>;
+    std::map<Numbers, uint32_t> indices;  // of the vertices
+    for (size_t last_material = SIZE_MAX; const Polygon& polygon : obj.polygons) {
+        if (polygon.material != std::exchange(last_material, polygon.material))
+            scene.submeshes.push_back({obj.materials[polygon.material], scene.indices.size(), 0});
+        for (const Polygon& triangle : cut_into_triangles(polygon)) {
+            const vec3 flat = of_length_1(area_vector(triangle), dvec3(0, 1, 0));
+            for (auto [point, ignored, vertex] : triangle.corners) {
+                if (vertex.normal == vec3(0) && polygon.smoothing > 0)
+                    vertex.normal = smooth[{polygon.smoothing, point}];
+                vertex.normal = of_length_1(vertex.normal, flat);
+                if (glm::dot(vertex.normal, flat) < 0) vertex.normal = -vertex.normal;
+                const auto [index, is_new] =
+                    indices.insert({std::bit_cast<Numbers>(vertex), uint32_t(indices.size())});
+                if (is_new) scene.vertices.push_back(vertex);
+                scene.indices.push_back(index->second);
+            }
+            scene.submeshes.back().count += 3;
         }
-        std::vector<dvec3> corners;
-        for (const Corner& corner : polygon.corners) corners.push_back(points_[corner.point]);
-        const std::vector<size_t> triangles = cut_into_triangles(corners);
-        for (size_t i = 0; i < triangles.size(); i += 3) {
-            const dvec3 a = corners[triangles[i]], b = corners[triangles[i + 1]],
-                        c = corners[triangles[i + 2]];
-            const vec3 flat = to_length_1(glm::cross(b - a, c - a), vec3(0, 1, 0));
-            for (size_t k = i; k < i + 3; ++k) add(polygon.corners[triangles[k]], flat);
-        }
-        scene.submeshes.back().count = scene.indices.size() - scene.submeshes.back().first;
     }
-
-    void add(const Corner& corner, vec3 flat)
-    {
-        Vertex vertex{};
-        vertex.position = points_[corner.point];
-        vertex.normal = flat;
-        if (corner.normal != Corner::none)
-            vertex.normal = to_length_1(obj_.normals[corner.normal], flat);
-        const Material& material = scene.submeshes.back().material;
-        vertex.colour = material_ == 0             ? obj_.colours[corner.point]
-                        : material.picture.empty() ? material.colour
-                                                   : material.tint;
-        if (material.has_picture()) {
-            const vec2 uv = material.uv_scale * obj_.uvs[corner.uv] + material.uv_offset;
-            vertex.uv = glm::clamp(uv, -1e6f, 1e6f);  // beyond, a float has no fraction
-        }
-        const auto [place, is_new] = numbers_.emplace(vertex, uint32_t(scene.vertices.size()));
-        if (is_new) scene.vertices.push_back(vertex);
-        scene.indices.push_back(place->second);
-    }
-
-    // What has no length points as `otherwise`. Zero is added because -0 has other bits.
-    static vec3 to_length_1(dvec3 direction, vec3 otherwise)
-    {
-        const double length = glm::length(direction);
-        return length > 0 ? vec3(direction / length) + 0.0f : otherwise;
-    }
-
-    const Obj& obj_;
-    const std::vector<vec3>& points_;
-    size_t material_ = 0;  // of the last submesh
-    bool pictured_ = false;
-    std::unordered_map<Vertex, uint32_t, Hash, Equal> numbers_;
-};
+    return scene;
+}
 
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& path, char up, const Placement* other, bool in_metres)
-{
+try {
     if (path == "none") return {};
-    Obj obj = read_obj(path);
-    if (obj.polygons.empty()) refuse_scene(path, "it has no faces (is it a Wavefront OBJ file?)");
-    const Placement placement = other != nullptr ? *other : fit(path, obj, up, in_metres);
-    const std::vector<vec3> points = place(path, obj, up, placement, in_metres);
-    obj.materials.warnings.print();
-    orient(obj.polygons, points);
-    for (vec3& normal : obj.normals) normal = turn(normal, up);
-    complete_normals(obj.polygons, obj.normals, points);
-    const auto kind = [&](const Polygon& polygon) {
-        return std::pair(polygon.material, is_pictured(polygon, obj.materials));
-    };
-    std::stable_sort(obj.polygons.begin(), obj.polygons.end(),
-                     [&](const Polygon& a, const Polygon& b) { return kind(a) < kind(b); });
-
-    Scene scene = Builder(obj, points).scene;
+    Obj obj = read_obj(path, up);
+    const Placement placement = other != nullptr ? *other : fit(obj, in_metres);
+    // Beyond, voxels would be too large for what is drawn, and the camera would not see so far.
+    const float farthest = in_metres ? 1000 : 100;  // m
+    for (Polygon& polygon : obj.polygons) {
+        for (auto& [index, point, vertex] : polygon.corners) {
+            vertex.position = placement.factor * (point - placement.foot);
+            if (!(glm::length(vertex.position) <= farthest))
+                throw std::runtime_error("it reaches too far (--metres scales nothing, and two "
+                                         "scenes must have the same coordinates)");
+        }
+    }
+    orient(obj);
+    std::ranges::stable_sort(obj.polygons, {}, &Polygon::material);
+    Scene scene = build(obj);
     scene.placement = placement;
     std::cout << "scene " << path.filename().string() << ": " << scene.indices.size() / 3
               << " triangles, scaled by " << placement.factor << "; their " << scene.indices.size()
               << " corners share " << scene.vertices.size() << " vertices" << std::endl;
     return scene;
+} catch (const std::runtime_error& error) {
+    throw std::runtime_error("cannot use scene " + path.string() + ": " + error.what());
+}
+
+Terrain terrain_of(const Scene& scene)
+{
+    Terrain terrain;
+    for (const Vertex& vertex : scene.vertices) {
+        terrain.half_size =
+            std::max({terrain.half_size, std::abs(vertex.position.x), std::abs(vertex.position.z)});
+    }
+    for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        const vec3 a = scene.corner(i).position, b = scene.corner(i + 1).position,
+                   c = scene.corner(i + 2).position;
+        const vec3 least = glm::min(a, glm::min(b, c)), most = glm::max(a, glm::max(b, c));
+        const vec3 normal = glm::cross(b - a, c - a);
+        const ivec2 first = terrain.square({least.x, least.z}),
+                    last = terrain.square({most.x, most.z});
+        for (int z = first.y; z <= last.y; ++z) {
+            for (int x = first.x; x <= last.x; ++x) {
+                // Where in the square the triangle's plane is highest, or all is if it is upright.
+                const vec2 low = glm::max(terrain.corner({x, z}), {least.x, least.z}),
+                           high = glm::min(terrain.corner({x + 1, z + 1}), {most.x, most.z});
+                const vec2 slope = normal.y == 0 ? vec2(0) : -vec2(normal.x, normal.z) / normal.y;
+                const vec2 position(slope.x > 0 ? high.x : low.x, slope.y > 0 ? high.y : low.y);
+                const float height = a.y + glm::dot(slope, position - vec2(a.x, a.z));
+                terrain.raise({x, z}, normal.y == 0 ? most.y : std::clamp(height, least.y, most.y));
+            }
+        }
+    }
+    return terrain;
 }

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "common/scene/materials.hpp"
+#include "common/harness/terrain.hpp"
 
 struct Vertex {
     glm::vec3 position;  // m, world space
@@ -15,8 +15,14 @@ struct Vertex {
     glm::vec2 uv;        // texture coordinates
 };
 
-// The triangles of one material, which can be drawn at once. Its picture is none where they have no
-// texture coordinates.
+struct Material {
+    glm::vec3 colour{0.5f};               // diffuse (Kd), linear, 0 to 1
+    glm::vec3 light{0};                   // what it shines by itself (Ke)
+    std::filesystem::path picture, mask;  // on it (map_Kd), and cut out of it (map_d); or empty
+    glm::vec2 uv_scale{1}, uv_offset{0};  // for the texture coordinates of both
+};
+
+// The triangles of one material, which can be drawn at once.
 struct Submesh {
     Material material;
     size_t first, count;  // of the scene's indices
@@ -34,17 +40,15 @@ struct Scene {
     std::vector<Submesh> submeshes;
     Placement placement;
 
-    // Of all triangles one after the other, three each.
     const Vertex& corner(size_t i) const { return vertices[indices[i]]; }
 };
 
-// Reads `path` and scales the scene to fit a box 16 m wide and deep and 6 m high, below the clouds;
-// its floor comes to lie on y = 0 and its middle on the y axis. Says by what factor. in_metres: its
-// coordinates are metres, and it stays as large as it is. `up` is the axis, 'y' or 'z', that points
-// up in the file. Polygons with more than three corners are divided; sheets face up and bodies
-// outwards, whichever way the file has them; what has no normals and is in no smoothing group is
-// flat, what has no colour is grey, and what gets lost is told on stderr. The path "none" is the
-// empty scene. With the placement of another scene it comes to lie where it lies to that in the
-// files. Throws std::runtime_error naming file and line.
+// Fits the scene into a box 16 m wide and deep and 6 m high, with its floor on y = 0 and its middle
+// on the y axis, and says by what factor. in_metres: it keeps its size. up: the axis, 'y' or 'z',
+// that points up in the file. other: it comes to lie where it lies to that scene in the files. The
+// path "none" is the empty scene. Throws std::runtime_error naming the file.
 Scene load_scene(const std::filesystem::path& path, char up, const Placement* other = nullptr,
                  bool in_metres = false);
+
+// How high the scene stands: clouds hang above it, and the tour flies over it.
+Terrain terrain_of(const Scene& scene);

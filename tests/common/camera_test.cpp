@@ -4,7 +4,6 @@
 
 #include "common/harness/files.hpp"
 #include "common/harness/tour.hpp"
-#include "common/scene/terrain.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
 TEST(Camera, SeesItsTargetInTheMiddle)

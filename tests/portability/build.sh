@@ -112,7 +112,7 @@ with_mingw()
     mkdir -p "$headers/GL"
     ln -s /usr/include/GL/{glew,wglew,freeglut,freeglut_std,freeglut_ext,glut}.h "$headers/GL"
     ln -s /usr/include/{glm,CLI} /usr/include/imgui/im*.h /usr/include/imgui/backends/imgui_impl_*.h \
-        /usr/include/stb/stb_image{,_write}.h "$headers"
+        /usr/include/stb/stb_image{,_write}.h /usr/include/tiny_obj_loader.h "$headers"
     find "$root"/common "$root"/step* -name '*.cpp' -print0 |
         xargs -0 -P "$(nproc)" -n 1 $compiler -fsyntax-only -std=c++20 -Wall -Wextra -Wpedantic \
             -Wshadow -Werror -DSNOWFALL_SOURCE_DIR='""' -I "$root" -isystem "$headers" || status=$?

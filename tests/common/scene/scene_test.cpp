@@ -1,280 +1,362 @@
-// OBJ files of all kinds; test_collision.py has those that a program must refuse.
+// OBJ files of all kinds, and what is told or refused where one is at fault.
 #include "common/scene/scene.hpp"
 
-#include <algorithm>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <cmath>
-#include <iterator>
+#include <fstream>
+#include <iostream>
+#include <random>
 #include <sstream>
-#include <string>
 
-#include "tests/common/scene/scene_file.hpp"
-
+using glm::vec2;
 using glm::vec3;
 
-TEST_F(SceneFile, WithPolygonsIsDividedIntoTriangles)
-{
-    EXPECT_EQ(load(square + "f 1 2 3 4\n").indices.size(), 6u);
-    // Six corners around a square, in a regular order.
-    EXPECT_NEAR(area(load(square + "v -8 0 0\nv 8 0 0\nf 1 5 2 3 6 4\n")), 256, 1e-3);
-}
+namespace {
 
-TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
-{
-    // An L, from each of its corners on, run either way around, lying and standing.
-    const std::string corners[] = {
-        "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 4\nv -4 0 4\nv -4 0 -8\n",
-        "v 0 -8 0\nv 16 -8 0\nv 16 8 0\nv 12 8 0\nv 12 -4 0\nv 0 -4 0\n"};
-    for (int first = 0; first < 6; ++first) {
-        std::string face, reversed;
-        for (int i = 0; i < 6; ++i) {
-            const std::string corner = std::to_string((first + i) % 6 + 1) + " ";
-            face += corner;
-            reversed = corner + reversed;
-        }
-        const Scene scene = load(corners[0] + "f " + face + "\n");
-        EXPECT_EQ(scene.indices.size(), 3u * 4u);
-        EXPECT_NEAR(area(scene), 16 * 4 + 12 * 4, 1e-3);
-        EXPECT_NEAR(area(scene, true), 16 * 4 + 12 * 4, 1e-3) << "none is turned over";
-        for (size_t i = 0; i < scene.indices.size(); i += 3) {
-            const vec3 middle = (scene.corner(i).position + scene.corner(i + 1).position +
-                                 scene.corner(i + 2).position) /
-                                3.0f;
-            EXPECT_TRUE(middle.x < -4 || middle.z > 4) << "outside the L";
-        }
-        EXPECT_NEAR(area(load(corners[0] + "f " + reversed + "\n"), true), 112, 1e-3);
-        // Standing, it is scaled to a height of 6 m.
-        EXPECT_NEAR(area(load(corners[1] + "f " + face + "\n")), 112 * 0.375 * 0.375, 1e-3);
+// 16 m wide, as wide as the world allows: it is not scaled.
+const std::string square = "v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 -8\n";
+
+class SceneFile : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        folder = std::filesystem::path(testing::TempDir()) / ("scene_" + std::to_string(getpid()));
+        std::filesystem::create_directories(folder);
     }
-}
+    void TearDown() override { std::filesystem::remove_all(folder); }
 
-TEST_F(SceneFile, MayHaveACombOfManyTeeth)
-{
-    std::ostringstream text;  // 16 m wide; every second tooth's gap goes back to z = -7
-    int corners = 0;
-    const auto corner = [&](float x, float z) {
-        text << "v " << x << " 0 " << z << "\n";
-        ++corners;
-    };
-    for (int tooth = 0; tooth < 60; ++tooth) {
-        const float x = 8 - float(tooth) * 16 / 60, width = 8.0f / 60;
-        corner(x, -8), corner(x - width, -8);
-        corner(x - width, 7), corner(x - 2 * width, 7);
+    void write(const std::string& name, const std::string& text) const
+    {
+        std::ofstream(folder / name, std::ios::binary) << text;
     }
-    corner(-8, 8), corner(8, 8);
-    text << "f";
-    for (int i = 1; i <= corners; ++i) text << " " << i;
-    const Scene scene = load(text.str() + "\n");
-    EXPECT_EQ(scene.indices.size(), 3u * size_t(corners - 2));
-    EXPECT_NEAR(area(scene), 16 + 8 * 15, 1e-3);
-    EXPECT_NEAR(std::abs(area(scene, true)), 16 + 8 * 15, 1e-3);
-}
 
-TEST_F(SceneFile, MayHavePolygonsThatNoTrianglesCouldFill)
-{
-    // All corners in a line, all but one in one place, a bow tie, a spike, a hole with a seam to
-    // it.
-    for (const char* face : {"1 5 4 5 1 4", "1 1 1 1 1 2", "1 2 4 3", "1 2 3 2 4"}) {
-        std::istringstream words(face);
-        const auto corners = std::distance(std::istream_iterator<int>(words), {});
-        const Scene scene = load(square + "v 0 0 -8\nf 1 2 3\nf " + std::string(face) + "\n");
-        EXPECT_EQ(scene.indices.size(), size_t(3 * (1 + corners - 2))) << face;
+    // What is said on stderr is left in `warnings`.
+    Scene load(const std::string& text, char up = 'y')
+    {
+        write("scene.obj", text);
+        std::ostringstream said;
+        std::streambuf *const err = std::cerr.rdbuf(said.rdbuf()), *const out = std::cout.rdbuf();
+        std::cout.rdbuf(nullptr);
+        const auto restore = [&](void*) {
+            std::cerr.rdbuf(err);
+            std::cout.rdbuf(out);
+            warnings = said.str();
+        };
+        const std::unique_ptr<void, decltype(restore)> at_end(this, restore);
+        return load_scene(folder / "scene.obj", up);
     }
-    const Scene ring = load(square + "v -4 0 -4\nv -4 0 4\nv 4 0 4\nv 4 0 -4\n"
-                                     "f 1 2 3 4 1 5 8 7 6 5\n");
-    EXPECT_NEAR(area(ring), 16 * 16 - 8 * 8, 1e-3);
-    EXPECT_NEAR(area(ring, true), 16 * 16 - 8 * 8, 1e-3);
-}
 
-TEST_F(SceneFile, MayHavePolygonsThatAreNotFlat)
-{
-    const Scene scene = load("v -8 0 -8\nv -8 1 8\nv 8 0 8\nv 8 1 -8\nf 1 2 3 4\n");
-    EXPECT_EQ(scene.indices.size(), 6u);
-    EXPECT_NEAR(area(scene, true), 256, 1e-3);
-}
-
-// A face of many corners around the y axis, 16 m wide; every second one at `inner` of the radius.
-static std::string star(int corners, double inner)
-{
-    std::ostringstream text;
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 2 * M_PI * i / corners, radius = i % 2 ? 8 * inner : 8;
-        text << "v " << radius * std::cos(angle) << " 0 " << radius * std::sin(angle) << "\n";
+    // Empty if the scene is not refused.
+    std::string refusal(const std::string& text)
+    try {
+        load(text);
+        return "";
+    } catch (const std::runtime_error& error) {
+        return error.what();
     }
-    text << "f";
-    for (int i = corners; i > 0; --i) text << " " << i;
-    return text.str() + "\n";
-}
 
-TEST_F(SceneFile, MayHavePolygonsOfManyCorners)
-{
-    for (const int corners : {256, 1000, 5000}) {
-        const Scene disc = load(star(corners, 1));
-        EXPECT_EQ(disc.indices.size(), 3u * size_t(corners - 2));
-        EXPECT_NEAR(area(disc, true), M_PI * 64, 0.1);
-        EXPECT_NEAR(area(disc), area(disc, true), 0.01);
-        const Scene spiky = load(star(corners, 0.5));
-        EXPECT_NEAR(area(spiky, true), M_PI * 32, 0.1);
-        EXPECT_NEAR(area(spiky), area(spiky, true), 0.01);
+    // The material of a square with this in its MTL file, the colour of its first corner in it.
+    Material material(const std::string& mtl, const std::string& name = "brick")
+    {
+        write("two words.mtl", "newmtl " + name + "\n" + mtl);
+        const Scene scene = load("mtllib two words.mtl\n" + square + "vt 0.5 0.25\nusemtl " + name +
+                                 "\nf 1/1 2/1 3/1 4/1\n");
+        Material result = scene.submeshes.at(0).material;
+        result.colour = scene.corner(0).colour;
+        result.uv_offset = scene.corner(0).uv;
+        return result;
     }
-    EXPECT_NE(refusal(star(10001, 1)).find("line 10002: 10001 corners"), std::string::npos);
-}
 
-TEST_F(SceneFile, MayCountItsVerticesBackwards)
-{
-    EXPECT_NEAR(area(load(square + "f -4 -3 -2 -1\n"), true), 256, 1e-3);
-}
+    std::filesystem::path folder;
+    std::string warnings;
+};
 
-TEST_F(SceneFile, MayHaveTextureCoordinatesAndNormalsOrNot)
+// m2, and as seen from above
+double area(const Scene& scene, bool seen_from_above = false)
 {
-    const std::string more = "vt 0 0\nvn 0 1 0\n";
-    for (const char* face : {"f 1 2 3 4\n", "f 1/1 2/1 3/1 4/1\n", "f 1//1 2//1 3//1 4//1\n",
-                             "f 1/1/1 2/1/1 3/1/1 4/1/1\n"}) {
-        const Scene scene = load(square + more + face);
-        EXPECT_NEAR(area(scene), 256, 1e-3) << face;
-        EXPECT_EQ(scene.vertices.front().normal, vec3(0, 1, 0)) << face;
+    double sum = 0;
+    for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        const vec3 a = scene.corner(i).position;
+        const vec3 across =
+            glm::cross(scene.corner(i + 1).position - a, scene.corner(i + 2).position - a);
+        sum += 0.5 * (seen_from_above ? across.y : glm::length(across));
     }
+    return sum;
 }
 
-TEST_F(SceneFile, MayLeaveTextureCoordinatesAndNormalsEmpty)
+// m3, inside the closed surfaces that face outwards, less that inside those that face inwards
+double volume(const Scene& scene)
 {
-    for (const char* face : {"f 1// 2// 3// 4//\n", "f 1/ 2/ 3/ 4/\n", "f 1/1/ 2/2/ 3/3/ 4/4/\n",
-                             "f 1/9/9 2/9/9 3/9/9 4/9/9\n"}) {
-        EXPECT_NEAR(area(load(square + face)), 256, 1e-3) << face;
+    double sum = 0;
+    for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        sum += glm::dot(scene.corner(i).position,
+                        glm::cross(scene.corner(i + 1).position, scene.corner(i + 2).position)) /
+               6;
     }
+    return sum;
 }
 
-TEST_F(SceneFile, MayHaveOddLineEndsCommentsAndSpaces)
+// The same faces the other way around.
+std::string over(const std::string& text)
 {
-    const std::string text = "# a comment\nv  -8 0 -8\nv -8\t0 8 \nv 8 0 8 1.0 # a corner\n\n"
-                             "v 8 0 -8\t#another\ns off\nf 1 2 3 4 \\\n   # the floor\n"
-                             "# a backslash at the end of this goes nowhere: C:\\\n"
-                             "\t v 0 6 \\\n 0#\nf 1 2 \\\n5\n";
-    for (const std::string line_end : {"\n", "\r\n", "\r"}) {
-        std::string ended, marked = "\xEF\xBB\xBF";
-        for (const char c : text) ended += c == '\n' ? line_end : std::string(1, c);
-        const double expected = 256 + 0.5 * 16 * 10;
-        EXPECT_NEAR(area(load(ended)), expected, 1e-3);
-        EXPECT_NEAR(area(load(marked + ended)), expected, 1e-3);
-        // The number of the line is still that of the file.
-        EXPECT_NE(refusal(marked + ended + "f 1 2" + line_end).find("line 15: 2 corners"),
-                  std::string::npos)
-            << refusal(ended + "f 1 2" + line_end);
+    std::istringstream lines(text);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line.substr(1));
+        std::string reversed;
+        for (std::string word; words >> word;) reversed = " " + word + reversed;
+        result += (line[0] == 'f' ? "f" + reversed : line) + "\n";
     }
+    return result;
 }
 
-TEST_F(SceneFile, DoesNotLoseAVertexToAByteOrderMark)
-{
-    EXPECT_NEAR(area(load("\xEF\xBB\xBF" + square + "v 0 6 0\nf 1 2 3\nf 1 3 4\n"), true), 256,
-                1e-3);
-}
+const std::string cube = "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\n"
+                         "v -1 2 1\n";
+const std::string sides = "f 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+const std::string ends = "f 1 2 3 4\nf 5 8 7 6\n";
 
-TEST_F(SceneFile, WithoutLineEndAtTheEndIsWhole)
-{
-    EXPECT_NEAR(area(load(square + "f 1 2 3 4")), 256, 1e-3);
-}
-
-TEST_F(SceneFile, MayHoldSeveralObjectsAndGroups)
-{
-    const Scene scene = load(square + "o one\nf 1 2 3\no two\ng part\nf 1 3 4\n");
-    EXPECT_NEAR(area(scene), 256, 1e-3);
-}
-
-TEST_F(SceneFile, MayHaveColoursAtItsVertices)
-{
-    const std::string coloured = "v -8 0 -8 1 0 0\nv -8 0 8 0 1 0\nv 8 0 8 0 0.5 7\nf 1 2 3\n";
-    for (const Vertex& vertex : load(coloured).vertices) {
-        if (vertex.position.z < 0)
-            EXPECT_EQ(vertex.colour, vec3(1, 0, 0));
-        else if (vertex.position.x < 0)
-            EXPECT_EQ(vertex.colour, vec3(0, 1, 0));
-        else
-            EXPECT_EQ(vertex.colour, vec3(0, 0.5f, 1)) << "no more than 1";
-    }
-    write("m.mtl", "newmtl red\nKd 0.5 0 0\n");
-    EXPECT_EQ(load("mtllib m.mtl\nusemtl red\n" + coloured).corner(1).colour, vec3(0.5f, 0, 0));
-}
+}  // namespace
 
 TEST_F(SceneFile, IsFittedIntoTheWorldWithItsFloorOnTheGround)
 {
     const Scene scene =
         load("v 100 50 0\nv 100 50 400\nv 500 50 400\nv 300 60 200\nf 1 2 3\nf 1 3 4\n");
-    vec3 least = scene.corner(0).position, most = least;
+    vec3 least(INFINITY), most(-INFINITY);
     for (const Vertex& vertex : scene.vertices) {
         least = glm::min(least, vertex.position);
         most = glm::max(most, vertex.position);
     }
-    const float micrometre = 1e-6f;  // as finely as a float tells points 8 m away apart
-    EXPECT_LE(glm::distance(least, vec3(-8, 0, -8)), micrometre);
-    EXPECT_LE(glm::distance(most, vec3(8, 0.4f, 8)), micrometre);
-}
-
-// A stair of 5 steps at this place, in metres.
-static std::string stair(double x, double y, double z)
-{
-    std::ostringstream text;
-    text.precision(12);
-    for (int step = 0; step < 5; ++step) {
-        const double left = x + 0.4 * step, height = y + 0.3 * step;
-        for (const double across : {left, left + 0.4})
-            text << "v " << across << " " << height << " " << z << "\n"
-                 << "v " << across << " " << height << " " << z + 6 << "\n";
-        text << "f -4 -3 -1 -2\n";
-    }
-    return text.str();
+    EXPECT_LE(glm::distance(least, vec3(-8, 0, -8)), 1e-6f);
+    EXPECT_LE(glm::distance(most, vec3(8, 0.4f, 8)), 1e-6f);
+    EXPECT_TRUE(load_scene("none", 'y').vertices.empty());
 }
 
 TEST_F(SceneFile, KeepsItsShapeFarFromItsOrigin)
 {
+    const auto stair = [](double x, double y, double z) {
+        std::ostringstream text;
+        text.precision(12);
+        for (int step = 0; step < 5; ++step) {
+            for (const double across : {x + 0.4 * step, x + 0.4 * step + 0.4})
+                text << "v " << across << " " << y + 0.3 * step << " " << z << "\n"
+                     << "v " << across << " " << y + 0.3 * step << " " << z + 6 << "\n";
+            text << "f -4 -3 -1 -2\n";
+        }
+        return text.str();
+    };
     const Scene near = load(stair(0, 0, 0)), far = load(stair(691500, 300, 5336200));
     ASSERT_EQ(near.indices.size(), far.indices.size());
-    for (size_t i = 0; i < near.indices.size(); ++i) {
+    for (size_t i = 0; i < near.indices.size(); ++i)
         EXPECT_LE(glm::distance(near.corner(i).position, far.corner(i).position), 1e-5f);
-    }
-}
-
-TEST_F(SceneFile, IsRefusedIfItIsNoSizeAtAll)
-{
-    const auto triangle = [](const std::string& size) {
-        return "v 0 0 -" + size + "\nv 0 0 " + size + "\nv " + size + " 0 0\nf 1 2 3\n";
-    };
-    for (const char* size : {"3e38", "1e-38", "1e-45", "1e308", "1e35", "1e-35"})
-        EXPECT_NE(refusal(triangle(size)).find("scene.obj: it is"), std::string::npos) << size;
-    for (const char* size : {"1e-12", "0.001", "1e6", "1e+12"})
-        EXPECT_NEAR(area(load(triangle(size))), 64, 1e-3) << size;
-    for (const char* size : {"1e309", "nan", "inf", "0x10", "1,5", "1e", "-", "1.5m"}) {
-        const std::string line = "line 3: '" + std::string(size) + "' is no coordinate";
-        EXPECT_NE(
-            refusal("v 0 0 0\nv 1 1 1\nv 0 " + std::string(size) + " 0\nf 1 2 3\n").find(line),
-            std::string::npos)
-            << size;
-    }
-}
-
-TEST_F(SceneFile, MayNameVerticesThatFollow)
-{
-    EXPECT_NEAR(area(load("f 1 2 3 4\n" + square)), 256, 1e-3);
-}
-
-TEST_F(SceneFile, IsRefusedWithTheLineOfABadCorner)
-{
-    for (const char* corner :
-         {"0", "5", "-5", "x", "1x", "1/x", "1.5", "99999999999", "99999999999999999999",
-          "-99999999999999999999", "/1", "4294967297"}) {
-        const std::string reason = refusal(square + "f 1 2 " + corner + "\n");
-        EXPECT_NE(reason.find("scene.obj: line 5: "), std::string::npos) << corner << reason;
-    }
 }
 
 TEST_F(SceneFile, MayHaveZUp)
 {
-    const Scene scene = load("v -8 -8 0\nv 8 -8 0\nv 8 8 0\nv 0 0 4\nf 1 2 3\nf 1 2 4\n", 'z');
+    const Scene scene =
+        load("v -8 -8 0\nv 8 -8 0\nv 8 8 0\nv 0 0 4\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 2 4\n", 'z');
     float highest = 0;
     for (const Vertex& vertex : scene.vertices) highest = std::max(highest, vertex.position.y);
     EXPECT_EQ(highest, 4);
     EXPECT_EQ(scene.corner(0).normal, vec3(0, 1, 0)) << "turned, not mirrored";
 }
 
-TEST_F(SceneFile, NoneIsTheEmptyScene)
+TEST_F(SceneFile, MayHavePolygonsWithCornersThatPointInwards)
 {
-    EXPECT_TRUE(load_scene("none", 'y').vertices.empty());
+    // An L, from each of its corners on and either way around, near and far.
+    for (const char* corners :
+         {"v -8 0 -8\nv -8 0 8\nv 8 0 8\nv 8 0 4\nv -4 0 4\nv -4 0 -8\n",
+          "v 92 0 92\nv 92 0 108\nv 108 0 108\nv 108 0 104\nv 96 0 104\nv 96 0 92\n"}) {
+        for (int first = 0; first < 6; ++first) {
+            std::string face = "f";
+            for (int i = 0; i < 6; ++i) face += ' ' + std::to_string((first + i) % 6 + 1);
+            for (const std::string& text : {corners + face, over(corners + face)}) {
+                EXPECT_NEAR(area(load(text)), 16 * 4 + 12 * 4, 1e-3);
+                EXPECT_NEAR(area(load(text), true), 16 * 4 + 12 * 4, 1e-3) << "none is turned over";
+            }
+        }
+    }
+    std::ostringstream disc, face;
+    for (int i = 0; i < 256; ++i) {
+        disc << "v " << std::cos(i) << " 0 " << std::sin(i) << "\n";
+        face << ' ' << i + 1;
+    }
+    EXPECT_NE(refusal(disc.str() + "f" + face.str()).find("more than 255 corners"),
+              std::string::npos);
+}
+
+TEST_F(SceneFile, MayBeWrittenInManyWays)
+{
+    const std::string normal = "vt 0 0\nvn 0 1 0\n", face = "f 1 2 3 4";
+    for (const std::string& text :
+         {square + face, "\xEF\xBB\xBF" + square + face + "\n", face + "\n" + square,
+          square + "f -4 -3 -2 -1\n", square + "f 1 2 \\\n  3 \\\r\n 4 # the floor\n",
+          "# C:\\\n" + square + face + std::string("\n\0\n", 3),
+          square + "v 9 9 9 # a corner\n" + face,
+          square + "o one\nf 1 2 3\no two\ng part\nf 1 3 4\n",
+          square + normal + "f 1/1 2/1 3/1 4/1\n", square + normal + "f 1//1 2//1 3//1 4//1 \t\r\n",
+          square + "f 1/9/9 2/9/9 3/9/9 4/9/9\n"}) {
+        const Scene scene = load(text);
+        EXPECT_NEAR(area(scene, true), 256, 1e-3) << text;
+        EXPECT_EQ(scene.vertices.size(), 4u) << text;
+        EXPECT_EQ(scene.corner(0).normal, vec3(0, 1, 0)) << text;
+        EXPECT_EQ(warnings, "");
+    }
+}
+
+TEST_F(SceneFile, IsRefusedWithTheReason)
+{
+    for (const auto& [text, reason] : std::vector<std::pair<std::string, std::string>>{
+             {square + "f 1 2 0\n", "line 5"},
+             {square + "f 1 2 \\\n3 \\\n4\nf 1 2 x\n", "line 8"},
+             {square + "f 1// 2// 3//\n", "line 5"},
+             {square + "f 1 2 5\n", "vertex"},
+             {square + "f 1 2 -5\n", "vertex"},
+             {"v 0 0 0\nv 0,5 0 0\nv 0 nan 0\n", "line 2: '0,5 0 0'"},
+             {"v 1e999 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n", "one point"},
+             {"v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "one point"},
+             {square + "f 1 2\n", "no faces: export it as polygons"},
+             {square + "l 1 2 3 4\n", "no faces"},
+             {square + "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nend\n", "no faces"}}) {
+        EXPECT_NE(refusal(text).find(reason), std::string::npos) << text << refusal(text);
+        EXPECT_NE(refusal(text).find("scene.obj"), std::string::npos);
+        EXPECT_EQ(refusal(text).find('\n'), std::string::npos);
+    }
+}
+
+TEST_F(SceneFile, CarriesItsSnowOnTop)
+{
+    // Sheets: flat, leaning, a vault, a ditch; each alone and over a floor that faces up.
+    const std::string floor = "v -8 -1 -8\nv -8 -1 8\nv 8 -1 8\nv 8 -1 -8\nf -4 -3 -2 -1\n";
+    for (const char* sheet : {"v -3 2 -3\nv -3 2 3\nv 3 2 3\nv 3 2 -3\nf -4 -3 -2 -1\n",
+                              "v 0 0 -3\nv 0 0 3\nv 1 1.5 3\nv 1 1.5 -3\nf -4 -3 -2 -1\n",
+                              "v -2 0 -3\nv -2 0 3\nv 0 1 3\nv 0 1 -3\nv 2 0 3\nv 2 0 -3\nf -6 -5 "
+                              "-4 -3\nf -3 -4 -2 -1\n",
+                              "v -2 1 -3\nv -2 1 3\nv 0 0 3\nv 0 0 -3\nv 2 1 3\nv 2 1 -3\nf -6 -5 "
+                              "-4 -3\nf -3 -4 -2 -1\n"}) {
+        const double expected = area(load(floor + sheet), true);
+        EXPECT_GT(expected, 256);
+        EXPECT_NEAR(area(load(floor + over(sheet)), true), expected, 1e-3) << sheet;
+        EXPECT_NEAR(area(load(over(floor + sheet)), true), expected, 1e-3) << sheet;
+        EXPECT_NEAR(area(load(floor + sheet + over(sheet)), true), 256, 1e-3) << "both sides";
+    }
+    // Bodies: a cube, without its bottom, without a side; each polygon with points of its own.
+    for (const std::string& body : {cube + sides + ends, cube + sides + "f 5 8 7 6\n",
+                                    cube + ends + "f 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\n"}) {
+        EXPECT_GT(volume(load(body)), 100) << body;
+        EXPECT_NEAR(volume(load(over(body))), volume(load(body)), 1e-3) << body;
+    }
+}
+
+TEST_F(SceneFile, SharesCornersThatAreTheSame)
+{
+    const std::string roof = "v -8 0 -8\nv -8 0 8\nv 0 6 8\nv 0 6 -8\nv 8 0 8\nv 8 0 -8\n";
+    const std::string up = "vn 0 3 0\nvn 0 0 0\nvn 0 -1 0\n";  // of any length, of none, downwards
+    for (const auto& [slopes, vertices] : std::vector<std::pair<std::string, size_t>>{
+             {"f 1 2 3 4\nf 4 3 5 6\n", 8},  // flat: two normals meet at the ridge
+             {"s 1\nf 1 2 3 4\nf 4 3 5 6\n", 6},
+             {"s 1\nf 1 2 3 4\ns 2\nf 4 3 5 6\n", 8},
+             {"s 1\ns off\nf 1 2 3 4\nf 4 3 5 6\n", 8},
+             {up + "f 1//1 2//1 3//1 4//1\nf 4//1 3//1 5//1 6//1\n", 6},
+             {up + "f 1//3 2//3 3//1 4//1\nf 4//1 3//3 5//1 6//1\n", 6},
+             {up + "f 1//2 2//2 3//2 4//2\nf 4//2 3//2 5//2 6//2\n", 8}}) {
+        const Scene scene = load(roof + slopes);
+        EXPECT_EQ(scene.vertices.size(), vertices) << slopes;
+        for (const Vertex& vertex : scene.vertices) {
+            EXPECT_NEAR(glm::length(vertex.normal), 1, 1e-6);
+            EXPECT_GT(vertex.normal.y, 0.5f);
+        }
+    }
+}
+
+TEST_F(SceneFile, HasASubmeshForEachMaterial)
+{
+    write("m.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\nKe 1 0.5 0.25\n");
+    const Scene scene = load("mtllib m.mtl\n" + square +
+                             "usemtl b\nf 1 2 3\nusemtl a\nf 1 3 4\nusemtl b\nv 0 4 0\nf 1 2 5\n");
+    ASSERT_EQ(scene.submeshes.size(), 2u) << "however often the file changes between them";
+    EXPECT_EQ(scene.submeshes[0].count, 3u);
+    EXPECT_EQ(scene.submeshes[1].first, 3u);
+    EXPECT_EQ(scene.submeshes[1].count, 6u);
+    EXPECT_EQ(scene.submeshes[1].material.light, vec3(1, 0.5f, 0.25f));
+    EXPECT_EQ(scene.corner(0).colour, vec3(1, 0, 0));
+    EXPECT_EQ(scene.corner(8).colour, vec3(0, 1, 0));
+}
+
+TEST_F(SceneFile, HasTheColoursOfItsMaterials)
+{
+    EXPECT_EQ(material("Kd 0.75 0.25 0.125\r\n", "red  brick #1").colour,
+              vec3(0.75f, 0.25f, 0.125f));
+    EXPECT_EQ(material("Kd 2 -1 0.5\nKe 1e39 -1 0.5\n").colour, vec3(1, 0, 0.5f));
+    EXPECT_EQ(material("Kd 2 -1 0.5\nKe 1e39 -1 0.5\n").light, vec3(1000, 0, 0.5f));
+    const Material pictured =
+        material("Kd 0 0 0\nmap_Kd -s 2 4 1 -o 1 1 0 parts\\a b.png\nmap_d m.png\n");
+    EXPECT_EQ(pictured.colour, vec3(1)) << "or the picture would not be seen";
+    EXPECT_EQ(pictured.picture, folder / "parts/a b.png");
+    EXPECT_EQ(pictured.mask, folder / "m.png");
+    EXPECT_EQ(pictured.uv_offset, vec2(2, 2));
+    EXPECT_EQ(warnings, "");
+}
+
+TEST_F(SceneFile, HasTheColoursOfItsVertices)
+{
+    const std::string coloured = "v -8 0 -8 1 0 0\nv -8 0 8 0 1 0\nv 8 0 8 0 0.5 7\nf 1 2 3\n";
+    EXPECT_EQ(load(coloured).corner(0).colour, vec3(0, 0.5f, 1));
+    EXPECT_EQ(load(square + coloured).corner(0).colour, vec3(0.5f)) << "unless all have one";
+    write("m.mtl", "newmtl red\nKd 0.5 0.5 0\n");
+    EXPECT_EQ(load("mtllib m.mtl\nusemtl red\n" + coloured).corner(2).colour, vec3(0, 0.5f, 0));
+}
+
+TEST_F(SceneFile, TellsWhichMaterialsAreMissing)
+{
+    write("m.mtl", "newmtl brick\nKd 1 0 0\n");
+    for (const auto& [text, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+             {"mtllib m.mtl\n" + square + "usemtl wood\nf 1 2 3\nusemtl iron\nf 1 3 4\n",
+              {"'wood'"}},
+             {"usemtl brick\nmtllib m.mtl\n" + square + "f 1 2 3\n", {"'brick'"}},
+             {"mtllib m.mtl\n" + square + "f 1 2 3\n", {"none of its materials"}},
+             {"mtllib n.mtl\n" + square + "usemtl brick\nf 1 2 3\n",
+              {"no " + (folder / "n.mtl").string(), "'brick'"}}}) {
+        EXPECT_EQ(load(text).corner(0).colour, vec3(0.5f));
+        EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), ptrdiff_t(words.size()))
+            << warnings;
+        for (const std::string& word : words)
+            EXPECT_NE(warnings.find(word), std::string::npos) << warnings;
+    }
+}
+
+// Whatever is in a file, it is read as a scene that can be drawn, or refused in a line.
+TEST_F(SceneFile, MayBeSpoiltAtRandom)
+{
+    const std::string good = "mtllib m.mtl\n" + square +
+                             "vt 0 0\nvt 1 0.5\nvn 0 1 0\ns 1\nusemtl a\n"
+                             "f 1/1/1 2/2/1 3/-1/-1 4/1\nusemtl b\nv 0 1 0 1 0 1\nv 1 1e0 0\n"
+                             "f -1//1 -2/2 -3 # a lamp\nf 1 5 2 \\\n6\n";
+    const std::string pieces[] = {"vt ", "vn ", "s ",         "//",   "v ",      "f ",
+                                  "\n",  "\r",  " ",          "\\\n", "#",       "/",
+                                  "-",   "9",   "4294967296", "nan",  "usemtl ", "mtllib "};
+    write("m.mtl", "newmtl a\nKd 0.5 0.25 1\nmap_Kd -s 1 2 m.mtl\nnewmtl b\nKe 1 2 3\n");
+    std::mt19937 random(1);
+    for (int round = 0; round < 500; ++round) {
+        std::string text = good;
+        for (size_t changes = 1 + random() % 6; changes > 0; --changes) {
+            const size_t at = random() % text.size();
+            if (random() % 2)
+                text.insert(at, pieces[random() % std::size(pieces)]);
+            else
+                text.replace(at, random() % 8, 1, char(random() % 256));
+        }
+        try {
+            const Scene scene = load(text);
+            EXPECT_EQ(scene.indices.size() % 3, 0u);
+            for (const Vertex& vertex : scene.vertices) {
+                EXPECT_LE(glm::length(vertex.position), 13) << text;
+                EXPECT_NEAR(glm::length(vertex.normal), 1, 1e-3) << text;
+                EXPECT_TRUE(std::isfinite(glm::dot(vertex.colour, vertex.colour))) << text;
+            }
+        } catch (const std::runtime_error& refusal) {
+            EXPECT_EQ(std::string(refusal.what()).find('\n'), std::string::npos) << text;
+        }
+    }
 }
