@@ -12,15 +12,12 @@ Image read_picture(const std::filesystem::path& path)
         throw std::runtime_error("cannot use " + name + ": " + reason);
     };
     // stb does not always know why.
-    const std::string broken = "a broken picture, or no PNG, JPEG or TGA (save it anew)";
+    const std::string broken = "missing, broken, or no PNG, JPEG or TGA (save it anew)";
     int width = 0, height = 0, channels = 0;
     if (!stbi_info(name.c_str(), &width, &height, &channels)) refuse(broken);
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (width > largest || height > largest) {
+    if (width > 8192 || height > 8192) {  // which could take gigabytes
         refuse(std::to_string(width) + " x " + std::to_string(height) +
-               " pixels, this card's textures end at " + std::to_string(largest) +
-               " (make it smaller)");
+               " pixels, at most 8192 x 8192 can be used (make it smaller)");
     }
     stbi_set_flip_vertically_on_load(1);  // OpenGL's first row is the lowest
     Image picture{0, 0, 0, {nullptr, stbi_image_free}};

@@ -13,7 +13,7 @@ struct Image {
     std::unique_ptr<unsigned char, void (*)(void*)> pixels;  // 4 channels each, lowest row first
 };
 
-// Throws std::runtime_error naming the file if it is broken or too large for this card.
+// Throws std::runtime_error naming the file if it is broken or too large.
 Image read_picture(const std::filesystem::path& path);
 
 // A mipmapped texture, left bound to GL_TEXTURE_2D.
