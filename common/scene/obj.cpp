@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <iostream>
 #include <map>
@@ -46,16 +47,12 @@ std::string read_statements(const fs::path& path, std::string* mtl)
         rest.erase(0, rest.find_first_not_of(" \t"));
         if (keyword == "v" || keyword == "f") rest.erase(std::min(rest.find('#'), rest.size()));
         if (keyword == "v" && rest.find_first_not_of("+-.0123456789eE \t") != rest.npos)
-            throw std::runtime_error("line " + std::to_string(number) + ": '" + rest +
-                                     "' are no coordinates (export it again)");
-        if (keyword == "newmtl" || keyword == "usemtl")
-            std::replace(rest.begin(), rest.end(), ' ', '_');
+            throw std::runtime_error("line " + std::to_string(number) + " has no numbers: " + rest);
+        if (keyword.ends_with("mtl")) std::replace(rest.begin(), rest.end(), ' ', '_');  // names
         if (mtl != nullptr && keyword == "mtllib") {
             const fs::path file = path.parent_path() / path_of(rest);
-            if (!fs::is_regular_file(file))
-                warn(path, "there is no " + file.string());
-            else
-                *mtl += read_statements(file, nullptr);
+            if (!fs::is_regular_file(file)) warn(path, "there is no " + file.string());
+            if (fs::is_regular_file(file)) *mtl += read_statements(file, nullptr);
         }
         result += keyword + ' ' + rest + line_ends;
         statement = line_ends = "";
@@ -66,19 +63,16 @@ std::string read_statements(const fs::path& path, std::string* mtl)
 // folder: that of its pictures.
 Material to_material(const tinyobj::material_t& from, const fs::path& folder)
 {
-    const auto path = [&](const std::string& name) {
-        return name.empty() ? fs::path() : folder / path_of(name);
-    };
+    const std::string &picture = from.diffuse_texname, &mask = from.alpha_texname;
     Material material;
     material.colour = glm::clamp(glm::make_vec3(from.diffuse), 0.0, 1.0);
-    material.light =
-        glm::clamp(glm::make_vec3(from.emission), 0.0, 1000.0);  // white paper by day: 1
-    material.picture = path(from.diffuse_texname);
-    material.mask = path(from.alpha_texname);
+    material.light = glm::clamp(glm::make_vec3(from.emission), 0.0, 1000.0);  // white paper: 1
+    if (!picture.empty()) material.picture = folder / path_of(picture);
+    if (!mask.empty()) material.mask = folder / path_of(mask);
     material.uv_scale = glm::vec2(glm::make_vec3(from.diffuse_texopt.scale));
     material.uv_offset = glm::vec2(glm::make_vec3(from.diffuse_texopt.origin_offset));
     // Many write black where the picture has the colour.
-    if (material.colour == vec3(0) && !material.picture.empty()) material.colour = vec3(1);
+    if (material.colour == vec3(0) && !picture.empty()) material.colour = vec3(1);
     return material;
 }
 
@@ -110,8 +104,7 @@ Obj read_obj(const fs::path& path, char up)
     if (!mtl.empty() && statements.find("usemtl ") == statements.npos)
         warn(path, "it uses none of its materials");
 
-    Obj obj;
-    obj.materials.emplace_back();
+    Obj obj{0, dvec3(INFINITY), dvec3(-INFINITY), {}, {Material()}};
     if (!file.colors.empty()) obj.materials[0].colour = vec3(1);
     for (const tinyobj::material_t& material : materials)
         obj.materials.push_back(to_material(material, path.parent_path()));
@@ -129,22 +122,19 @@ Obj read_obj(const fs::path& path, char up)
                 const vec3 colour = glm::clamp(read(file.colors, at, dvec3(1)), 0.0, 1.0);
                 const glm::vec2 uv = read(file.texcoords, uv_at, glm::dvec2(0));
                 if (std::isnan(point.x)) throw std::runtime_error("a face has an unknown vertex");
+                const Vertex vertex{vec3(0), normal, material.colour * colour,
+                                    material.uv_scale * uv + material.uv_offset};
+                const auto index = indices.insert({{point.x, point.y, point.z}, indices.size()});
+                polygon.corners.push_back({index.first->second, point, vertex});
                 obj.least = glm::min(obj.least, point);
                 obj.most = glm::max(obj.most, point);
-                const auto index = indices.insert({{point.x, point.y, point.z}, obj.points}).first;
-                obj.points = indices.size();
-                polygon.corners.push_back({index->second,
-                                           point,
-                                           {{},
-                                            normal,
-                                            material.colour * colour,
-                                            material.uv_scale * uv + material.uv_offset}});
             }
             obj.polygons.push_back(std::move(polygon));
         }
         if (corner != mesh.indices.end())  // the library counts those of a face in one byte
             throw std::runtime_error("a face has more than 255 corners (export it as triangles)");
     }
+    obj.points = indices.size();
     if (obj.polygons.empty()) throw std::runtime_error("it has no faces: export it as polygons");
     return obj;
 }

@@ -1,8 +1,6 @@
 // Wavefront OBJ files: their polygons and materials, read by tinyobjloader.
 #pragma once
 
-#include <cmath>
-
 #include "common/scene/scene.hpp"
 
 struct Corner {
@@ -20,10 +18,10 @@ struct Polygon {
 };
 
 struct Obj {
-    size_t points = 0;                            // that differ
-    glm::dvec3 least{INFINITY}, most{-INFINITY};  // x, y and z of them
-    std::vector<Polygon> polygons;                // at least one
-    std::vector<Material> materials;              // the first is for polygons without one
+    size_t points;                    // that differ
+    glm::dvec3 least, most;           // x, y and z of them
+    std::vector<Polygon> polygons;    // at least one
+    std::vector<Material> materials;  // the first is for polygons without one
 };
 
 // up: as for load_scene. Throws std::runtime_error.

@@ -13,7 +13,6 @@
 #include "common/scene/obj.hpp"
 
 using glm::dvec3;
-using glm::ivec2;
 using glm::vec2;
 using glm::vec3;
 
@@ -78,8 +77,7 @@ void orient(Obj& obj)
 }
 
 // Cuts off one ear after the other, a corner that points outwards and whose triangle holds no other
-// corner (Meisters 1975, "Polygons have ears"): first that with the shortest cut, which avoids
-// slivers.
+// (Meisters 1975, "Polygons have ears"); first the one with the shortest cut, against slivers.
 std::vector<Polygon> cut_into_triangles(Polygon polygon)
 {
     // > 0 where a, b, c turn left, as the polygon as a whole does.
@@ -89,23 +87,20 @@ std::vector<Polygon> cut_into_triangles(Polygon polygon)
     std::vector<Polygon> triangles;
     std::vector<Corner>& left = polygon.corners;
     for (size_t count = left.size(); count >= 3; --count) {
-        size_t ear = 0;
-        double shortest = INFINITY;
         const auto at = [&](size_t i) { return left[i % count]; };
+        std::pair<double, size_t> ear{INFINITY, 0};  // the length of its cut, and its index
         for (size_t i = 0; i < count; ++i) {
             const dvec3 a = at(i + count - 1).position(), b = at(i).position(),
                         c = at(i + 1).position();
             const auto holds = [&](dvec3 p) {
                 return turn(a, b, p) > 0 && turn(b, c, p) > 0 && turn(c, a, p) > 0;
             };
-            if (glm::distance(a, c) >= shortest || turn(a, b, c) <= 0 ||
-                std::ranges::any_of(left, holds, &Corner::position))
-                continue;
-            ear = i;
-            shortest = glm::distance(a, c);
+            if (turn(a, b, c) > 0 && std::ranges::none_of(left, holds, &Corner::position))
+                ear = std::min(ear, std::pair(glm::distance(a, c), i));
         }
-        triangles.push_back({{at(ear + count - 1), at(ear), at(ear + 1)}, 0, 0});
-        left.erase(left.begin() + ptrdiff_t(ear));
+        const size_t i = ear.second;
+        triangles.push_back({{at(i + count - 1), at(i), at(i + 1)}, 0, 0});
+        left.erase(left.begin() + ptrdiff_t(i));
     }
     return triangles;
 }
@@ -152,7 +147,7 @@ try {
     if (path == "none") return {};
     Obj obj = read_obj(path, up);
     const Placement placement = other != nullptr ? *other : fit(obj, in_metres);
-    // Beyond, voxels would be too large for what is drawn, and the camera would not see so far.
+    // Farther away, voxels would be too large for what is drawn, and the camera would see nothing.
     const float farthest = in_metres ? 1000 : 100;  // m
     for (Polygon& polygon : obj.polygons) {
         for (auto& [index, point, vertex] : polygon.corners) {
@@ -177,17 +172,16 @@ try {
 Terrain terrain_of(const Scene& scene)
 {
     Terrain terrain;
-    for (const Vertex& vertex : scene.vertices) {
-        terrain.half_size =
-            std::max({terrain.half_size, std::abs(vertex.position.x), std::abs(vertex.position.z)});
-    }
+    float& size = terrain.half_size;
+    for (const auto& [p, normal, colour, uv] : scene.vertices)
+        size = std::max({size, std::abs(p.x), std::abs(p.z)});
     for (size_t i = 0; i < scene.indices.size(); i += 3) {
         const vec3 a = scene.corner(i).position, b = scene.corner(i + 1).position,
                    c = scene.corner(i + 2).position;
         const vec3 least = glm::min(a, glm::min(b, c)), most = glm::max(a, glm::max(b, c));
         const vec3 normal = glm::cross(b - a, c - a);
-        const ivec2 first = terrain.square({least.x, least.z}),
-                    last = terrain.square({most.x, most.z});
+        const glm::ivec2 first = terrain.square({least.x, least.z}),
+                         last = terrain.square({most.x, most.z});
         for (int z = first.y; z <= last.y; ++z) {
             for (int x = first.x; x <= last.x; ++x) {
                 // Where in the square the triangle's plane is highest, or all is if it is upright.

@@ -43,10 +43,10 @@ struct Scene {
     const Vertex& corner(size_t i) const { return vertices[indices[i]]; }
 };
 
-// Fits the scene into a box 16 m wide and deep and 6 m high, with its floor on y = 0 and its middle
-// on the y axis, and says by what factor. in_metres: it keeps its size. up: the axis, 'y' or 'z',
-// that points up in the file. other: it comes to lie where it lies to that scene in the files. The
-// path "none" is the empty scene. Throws std::runtime_error naming the file.
+// Fits the scene into a box 16 m wide and deep and 6 m high, its floor on y = 0 and its middle on
+// the y axis. in_metres: it keeps its size. up: the axis that points up in the file, 'y' or 'z'.
+// other: it comes to lie where it lies to that scene in the files. The path "none" is the empty
+// scene. Throws std::runtime_error naming the file.
 Scene load_scene(const std::filesystem::path& path, char up, const Placement* other = nullptr,
                  bool in_metres = false);
 

@@ -213,7 +213,7 @@ TEST_F(SceneFile, IsRefusedWithTheReason)
              {square + "f 1// 2// 3//\n", "line 5"},
              {square + "f 1 2 5\n", "vertex"},
              {square + "f 1 2 -5\n", "vertex"},
-             {"v 0 0 0\nv 0,5 0 0\nv 0 nan 0\n", "line 2: '0,5 0 0'"},
+             {"v 0 0 0\nv 0,5 0 0\nv 0 nan 0\n", "line 2 has no numbers: 0,5 0 0"},
              {"v 1e999 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n", "one point"},
              {"v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "one point"},
              {square + "f 1 2\n", "no faces: export it as polygons"},
