@@ -22,7 +22,7 @@ packages_of()
         # common/compare/compare.py.
         compare) echo "python3 python3-matplotlib python3-tqdm" ;;
         # The tests that call the code, and those that look at the pictures and press the keys.
-        test) echo "libgtest-dev libbenchmark-dev python3-pytest python3-numpy python3-pil" \
+        test) echo "libgtest-dev python3-pytest python3-numpy python3-pil" \
                    "xdotool glslang-tools git" ;;
         *) return 1 ;;
     esac
