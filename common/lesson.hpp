@@ -32,7 +32,6 @@ struct Lesson {
     double minimum_gl = 0;                     // OpenGL version, 3.3
     std::vector<Variant> variants;             // the first is the default
     bool fixed_points = false;                 // takes --groups and --point-size
-    std::vector<std::string> hinted = {};      // variants that take --hint
     bool has_scene = false;                    // takes --scene, --collision, --voxels, ...
     bool has_cover = false;                    // takes --dump-cover
     std::vector<const char*> extensions = {};  // that OpenGL must have besides its version
@@ -46,7 +45,6 @@ struct Options {
     unsigned timelapse = 1;       // time steps in place of one
     unsigned groups = 2;          // pieces in which the pool is drawn
     float point_size = 1;         // pixels, of emitter 0's flakes; emitter 1's are twice as wide
-    std::string hint = "stream";  // for glBufferData: or dynamic, or static
     std::filesystem::path scene;  // where has_scene: the courtyard unless given
     std::filesystem::path collision;  // other triangles to land on; empty: those of the scene
     char up = 'y';                    // the axis that points up in the scene file
@@ -54,12 +52,6 @@ struct Options {
     int voxels = 256;                 // along the longest axis of the scene
     std::string voxeliser = "cpu";    // where the grid is made, or "gpu"
     std::filesystem::path dump_cover;
-
-    // The first flake of a group; of group `groups`, one past the last of all.
-    unsigned group_begin(unsigned group) const
-    {
-        return unsigned(uint64_t(weather.particles) * group / groups);
-    }
 };
 
 // The whole of a step's program: takes the command line, opens the window and runs the variant

@@ -9,21 +9,27 @@
 
 #include "common/window.hpp"
 
-inline void draw_ground(const Window& window)
+// Tells OpenGL's fixed functions where the camera is.
+inline void load_matrices(const Window& window)
 {
-    if (GLEW_VERSION_2_0) glUseProgram(0);  // from step 3 on there are shaders, but not for this
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(glm::value_ptr(window.projection()));
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixf(glm::value_ptr(window.view()));
+}
+
+inline void draw_ground(const Window& window)
+{
+    if (GLEW_VERSION_2_0) glUseProgram(0);  // from step 3 on there are shaders, but not for this
+    load_matrices(window);
     glColor3f(0.26f, 0.29f, 0.34f);
     glBegin(GL_LINES);
-    for (int at = -8; at <= 8; at += 2) {  // m; the clouds are as wide
-        glVertex3i(at, 0, -8);
-        glVertex3i(at, 0, 8);
-        glVertex3i(-8, 0, at);
-        glVertex3i(8, 0, at);
+    for (int line = -8; line <= 8; line += 2) {  // m; the clouds are as wide
+        glVertex3i(line, 0, -8);
+        glVertex3i(line, 0, 8);
+        glVertex3i(-8, 0, line);
+        glVertex3i(8, 0, line);
     }
     glEnd();
-    glColor3f(1.0f, 1.0f, 1.0f);  // of the flakes
+    glColor3f(1.0f, 1.0f, 1.0f);  // the colour of the flakes
 }

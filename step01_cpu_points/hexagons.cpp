@@ -1,5 +1,5 @@
 // The variant "hexagons": same as main.cpp, but every flake is a crystal, twelve calls instead of
-// one. New calls: glBegin(GL_LINES).
+// one, and its size is its own. New calls: glBegin(GL_LINES).
 
 #include <GL/glew.h>
 
@@ -41,20 +41,13 @@ void run_hexagons(Window& window)
         }
         {
             const auto stage = window.stage("draw");
-            glMatrixMode(GL_PROJECTION);
-            glLoadMatrixf(value_ptr(window.projection()));
-            glMatrixMode(GL_MODELVIEW);
-            glLoadMatrixf(value_ptr(window.view()));
+            load_matrices(window);
             const mat3 camera = transpose(mat3(window.view()));  // its right, up, back, world space
-            // In pieces, as in main.cpp, though a crystal's size is its flake's.
-            for (uint group = 0; group < options.groups; ++group) {
-                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
-                glBegin(GL_LINES);
-                for (uint i = begin; i < end; ++i) {
-                    draw_crystal(flakes[i], 0.5f * diameter(i, weather), camera[0], camera[1]);
-                }
-                glEnd();
+            glBegin(GL_LINES);
+            for (uint i = 0; i < flakes.size(); ++i) {
+                draw_crystal(flakes[i], 0.5f * diameter(i, weather), camera[0], camera[1]);
             }
+            glEnd();
         }
         window.swap_buffers();
     }

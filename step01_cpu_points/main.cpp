@@ -9,6 +9,7 @@
 
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
+#include "step01_cpu_points/groups.hpp"
 #include "step01_cpu_points/update.hpp"
 
 using namespace snow;
@@ -17,11 +18,14 @@ void run(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    const auto update =
-        options.variant == "three-loops" ? update_in_three_loops : update_in_one_loop;
+    auto update = update_in_one_loop;
+    if (options.variant == "plain") update = update_plainly;
+    if (options.variant == "three-loops") update = update_in_three_loops;
+    if (options.variant == "threads") update = update_on_all_cores;
 
     std::vector<Particle> flakes = make_flakes(weather);
-    uint tick = 0;  // time steps made so far
+    uint tick = 0;                                           // time steps made so far
+    const std::vector<Group> groups = make_groups(options);  // flakes of one size
 
     glClearColor(0.05f, 0.07f, 0.12f, 1.0f);
     while (window.begin_frame()) {
@@ -34,17 +38,13 @@ void run(Window& window)
         }
         {
             const auto stage = window.stage("draw");
-            glMatrixMode(GL_PROJECTION);
-            glLoadMatrixf(value_ptr(window.projection()));
-            glMatrixMode(GL_MODELVIEW);
-            glLoadMatrixf(value_ptr(window.view()));
-            // In pieces, for points of two sizes: the first half of the pool is emitter 0's, of
-            // small flakes, the second half emitter 1's.
-            for (uint group = 0; group < options.groups; ++group) {
-                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
-                glPointSize(options.point_size * (of_first_emitter(begin, weather) ? 1.0f : 2.0f));
+            load_matrices(window);
+            for (const Group& group : groups) {
+                glPointSize(group.point_size);
                 glBegin(GL_POINTS);
-                for (uint i = begin; i < end; ++i) glVertex3fv(value_ptr(flakes[i].position));
+                for (uint i = group.begin; i < group.end; ++i) {
+                    glVertex3fv(value_ptr(flakes[i].position));
+                }
                 glEnd();
             }
         }
@@ -54,7 +54,6 @@ void run(Window& window)
 }
 
 void run_hexagons(Window& window);  // hexagons.cpp
-void run_threads(Window& window);   // threads.cpp
 
 int main(int argc, char** argv)
 {
@@ -63,9 +62,10 @@ int main(int argc, char** argv)
     lesson.idea = "snow moved by a loop on the CPU and drawn point by point with glBegin and glEnd";
     lesson.minimum_gl = 1.5;
     lesson.variants = {{"one-loop", run},
+                       {"plain", run},
                        {"three-loops", run},
-                       {"hexagons", run_hexagons},
-                       {"threads", run_threads}};
+                       {"threads", run},
+                       {"hexagons", run_hexagons}};
     lesson.fixed_points = true;
     return run_lesson(argc, argv, lesson);
 }

@@ -1,17 +1,28 @@
-// The motion of all flakes on the CPU: one time step, in one loop over the array or in three.
-// Both give the same flakes to the last bit.
+// The motion of all flakes on the CPU, one time step, in four ways. All give the same flakes to the
+// last bit.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <stdexcept>
 
 #include "common/snow.hpp"
 
 namespace snow {
 
-// Births are rare (one flake in some 700 a step) and branch, so they stay out of the loops that the
-// compiler vectorises: those only find out whether a block of flakes, still in the cache, has any.
-// The weather is passed by value to all of them: behind a reference it might be changed by any
-// write to a flake, for all the compiler knows, and would have to be read again for each.
+// Euler's method, flake by flake.
+inline void update_plainly(std::span<Particle> flakes, uint tick, Weather weather)
+{
+    for (size_t i = 0; i < flakes.size(); ++i)
+        flakes[i] = advance(flakes[i], uint(i), tick, weather);
+}
+
+// ---- The same for eight flakes at once: 5 ns a flake, where the loop above takes 13. A compiler
+// vectorises a loop that has no branches in it. Births are rare (one flake in some 700 a step) and
+// branch, so they have a loop of their own, behind each block of flakes, which is still in the
+// cache. The weather is passed by value: behind a reference any write to a flake might change it,
+// for all the compiler knows.
+
 constexpr size_t block = 64;
 
 // The block of `flakes` that begins at index `begin`.
@@ -33,7 +44,6 @@ inline void give_birth(std::span<Particle> flakes, uint first, uint tick, Weathe
     }
 }
 
-// Everything that happens to a flake, then the next flake: each is loaded and stored once.
 inline void update_block(std::span<Particle> flakes, uint first, uint tick, Weather weather)
 {
     const size_t count = flakes.size();
@@ -53,7 +63,8 @@ inline void update_in_one_loop(std::span<Particle> flakes, uint tick, Weather we
     }
 }
 
-// The same in three trips through memory: all positions, then all velocities, then all births.
+// All positions, then all velocities, then all births: each flake goes through the cache three
+// times.
 inline void update_in_three_loops(std::span<Particle> flakes, uint tick, Weather weather)
 {
     for (Particle& flake : flakes) flake = settle(move(flake, weather), weather);
@@ -61,6 +72,21 @@ inline void update_in_three_loops(std::span<Particle> flakes, uint tick, Weather
         flakes[i].velocity = accelerate(flakes[i], weather.wind, uint(i), tick, weather).velocity;
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
         give_birth(block_at(flakes, begin), uint(begin), tick, weather);
+    }
+}
+
+// The one loop, which OpenMP deals out to the processor's cores. No flake knows of another, so it
+// does not matter which core moves which, and when.
+inline void update_on_all_cores(std::span<Particle> flakes, uint tick, Weather weather)
+{
+    const auto size = std::ptrdiff_t(flakes.size());  // OpenMP 2 counts with signs
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) firstprivate(weather)
+#else
+    throw std::runtime_error("--variant threads: this compiler has no OpenMP: try one-loop");
+#endif
+    for (std::ptrdiff_t begin = 0; begin < size; begin += std::ptrdiff_t(block)) {
+        update_block(block_at(flakes, size_t(begin)), uint(begin), tick, weather);
     }
 }
 

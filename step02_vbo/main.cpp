@@ -9,8 +9,8 @@
 #include "common/gl_object.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
+#include "step01_cpu_points/groups.hpp"
 #include "step01_cpu_points/update.hpp"
-#include "step02_vbo/usage.hpp"
 
 using namespace snow;
 
@@ -18,15 +18,15 @@ void run(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    const bool orphan = options.variant == "orphan";
-    const GLenum hint = usage(options.hint);
+    const bool orphan = options.variant == "orphan", arrays = options.variant == "arrays";
 
     std::vector<Particle> flakes = make_flakes(weather);
-    uint tick = 0;  // time steps made so far
+    uint tick = 0;                                           // time steps made so far
+    const std::vector<Group> groups = make_groups(options);  // flakes of one size
     const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
     const GlObject buffer = make_buffer();
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, hint);
+    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
     check_memory("the flakes", double(bytes));
 
     glClearColor(0.05f, 0.10f, 0.10f, 1.0f);
@@ -38,29 +38,25 @@ void run(Window& window)
             const auto stage = window.stage("update");
             while (window.next_tick()) update_in_one_loop(flakes, tick++, weather);
         }
-        {
+        if (!arrays) {
             const auto stage = window.stage("upload");
             glBindBuffer(GL_ARRAY_BUFFER, buffer);
             // The draw of the frame before may still be reading: the driver copies, or waits.
             // Unless the buffer gets new storage first, and leaves the old to the GPU: an orphan.
-            if (orphan) glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, hint);
+            if (orphan) glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
             glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.data());
         }
         {
             const auto stage = window.stage("draw");
-            glMatrixMode(GL_PROJECTION);
-            glLoadMatrixf(value_ptr(window.projection()));
-            glMatrixMode(GL_MODELVIEW);
-            glLoadMatrixf(value_ptr(window.view()));
-            // Positions lie sizeof(Particle) bytes apart in the buffer that is bound.
+            load_matrices(window);
+            // Positions lie sizeof(Particle) bytes apart in the buffer that is bound; if none is, at
+            // that address in our own memory.
+            glBindBuffer(GL_ARRAY_BUFFER, arrays ? 0 : GLuint(buffer));
             glEnableClientState(GL_VERTEX_ARRAY);
-            glVertexPointer(3, GL_FLOAT, sizeof(Particle), nullptr);
-            // In pieces, for points of two sizes: the first half of the pool is emitter 0's, of
-            // small flakes, the second half emitter 1's.
-            for (uint group = 0; group < options.groups; ++group) {
-                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
-                glPointSize(options.point_size * (of_first_emitter(begin, weather) ? 1.0f : 2.0f));
-                glDrawArrays(GL_POINTS, GLint(begin), GLsizei(end - begin));
+            glVertexPointer(3, GL_FLOAT, sizeof(Particle), arrays ? flakes.data() : nullptr);
+            for (const Group& group : groups) {
+                glPointSize(group.point_size);
+                glDrawArrays(GL_POINTS, GLint(group.begin), GLsizei(group.end - group.begin));
             }
         }
         window.swap_buffers();
@@ -69,7 +65,6 @@ void run(Window& window)
 }
 
 void run_persistent(Window& window);  // persistent.cpp
-void run_arrays(Window& window);      // arrays.cpp
 void run_soa(Window& window);         // soa.cpp
 
 int main(int argc, char** argv)
@@ -81,9 +76,8 @@ int main(int argc, char** argv)
     lesson.variants = {{"subdata", run},
                        {"orphan", run},
                        {"persistent", run_persistent},
-                       {"arrays", run_arrays},
+                       {"arrays", run},
                        {"soa", run_soa}};
     lesson.fixed_points = true;
-    lesson.hinted = {"subdata", "orphan", "soa"};
     return run_lesson(argc, argv, lesson);
 }

@@ -12,6 +12,7 @@
 #include "common/harness/driver.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
+#include "step01_cpu_points/groups.hpp"
 #include "step01_cpu_points/update.hpp"
 
 using namespace snow;
@@ -25,12 +26,13 @@ void run_persistent(Window& window)
     }
 
     std::vector<Particle> flakes = make_flakes(weather);
-    uint tick = 0;  // time steps made so far
+    uint tick = 0;                                           // time steps made so far
+    const std::vector<Group> groups = make_groups(options);  // flakes of one size
     const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
-    // Room for three frames: while the GPU draws from one part, and the driver has another in its
+    // Room for three frames: while the GPU draws from one region, and the driver has another in its
     // queue, the third is written.
-    constexpr int parts = 3;
-    const GLsizeiptr all = max(parts * bytes, GLsizeiptr(1));  // none may be empty
+    constexpr int regions = 3;
+    const GLsizeiptr all = max(regions * bytes, GLsizeiptr(1));  // none may be empty
     constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
     const GlObject buffer = make_buffer();
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
@@ -38,8 +40,8 @@ void run_persistent(Window& window)
     char* const mapped = static_cast<char*>(glMapBufferRange(GL_ARRAY_BUFFER, 0, all, access));
     if (mapped == nullptr)
         throw std::runtime_error("--variant persistent: the buffer cannot be mapped: try orphan");
-    int part = 0;
-    GLsync fences[parts] = {};  // each behind the last draw from its part
+    int region = 0;
+    GLsync fences[regions] = {};  // each behind the last draw from its region
 
     glClearColor(0.05f, 0.10f, 0.10f, 1.0f);
     while (window.begin_frame()) {
@@ -52,31 +54,26 @@ void run_persistent(Window& window)
         }
         {
             const auto stage = window.stage("upload");
-            part = (part + 1) % parts;
-            if (fences[part] != nullptr) {
-                glClientWaitSync(fences[part], GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);
-                glDeleteSync(fences[part]);
+            region = (region + 1) % regions;
+            if (fences[region] != nullptr) {
+                glClientWaitSync(fences[region], GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED);
+                glDeleteSync(fences[region]);
             }
-            if (bytes > 0) std::memcpy(mapped + part * bytes, flakes.data(), size_t(bytes));
+            if (bytes > 0) std::memcpy(mapped + region * bytes, flakes.data(), size_t(bytes));
         }
         {
             const auto stage = window.stage("draw");
-            glMatrixMode(GL_PROJECTION);
-            glLoadMatrixf(value_ptr(window.projection()));
-            glMatrixMode(GL_MODELVIEW);
-            glLoadMatrixf(value_ptr(window.view()));
+            load_matrices(window);
             // Positions lie sizeof(Particle) bytes apart in the buffer that is bound.
             glBindBuffer(GL_ARRAY_BUFFER, buffer);
             glEnableClientState(GL_VERTEX_ARRAY);
             glVertexPointer(3, GL_FLOAT, sizeof(Particle), nullptr);
-            // In pieces, for points of two sizes: the first half of the pool is emitter 0's, of
-            // small flakes, the second half emitter 1's.
-            for (uint group = 0; group < options.groups; ++group) {
-                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
-                glPointSize(options.point_size * (of_first_emitter(begin, weather) ? 1.0f : 2.0f));
-                glDrawArrays(GL_POINTS, GLint(part * flakes.size() + begin), GLsizei(end - begin));
+            for (const Group& group : groups) {
+                glPointSize(group.point_size);
+                glDrawArrays(GL_POINTS, GLint(region * flakes.size() + group.begin),
+                             GLsizei(group.end - group.begin));
             }
-            fences[part] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+            fences[region] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         }
         window.swap_buffers();
     }

@@ -1,17 +1,16 @@
 // The variant "soa": same as main.cpp, but the flakes are no array of structs: they are a struct of
 // arrays. All positions lie in one of them, and no more than that is uploaded: 12 bytes a flake,
-// not 32. In return the update has to gather each flake from four places, and to scatter it again.
+// not 32. In return the update has to gather each flake from four arrays, and to scatter it again.
 
 #include <GL/glew.h>
 
-#include <array>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "common/gl_object.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
+#include "step01_cpu_points/groups.hpp"
 #include "step01_cpu_points/update.hpp"
-#include "step02_vbo/usage.hpp"
 
 using namespace snow;
 
@@ -29,7 +28,7 @@ struct Flakes {
         scatter(flakes, 0);
     }
 
-    // Writes these flakes, of which the first has the index `first`, to where they belong.
+    // Writes these flakes to their indices, `first` and the next.
     void scatter(std::span<const Particle> flakes, size_t first)
     {
         for (size_t i = 0; i < flakes.size(); ++i) {
@@ -40,29 +39,21 @@ struct Flakes {
         }
     }
 
-    // Reads as many as there is room for, from index `first` on.
-    void gather(std::span<Particle> flakes, size_t first) const
+    // The flakes of that many indices, `first` and the next.
+    std::vector<Particle> gather(size_t first, size_t count) const
     {
-        for (size_t i = 0; i < flakes.size(); ++i) {
-            flakes[i] = {positions[first + i], ages[first + i], velocities[first + i],
-                         rests[first + i]};
-        }
-    }
-
-    std::vector<Particle> gather() const
-    {
-        std::vector<Particle> flakes(positions.size());
-        gather(flakes, 0);
+        std::vector<Particle> flakes;
+        flakes.reserve(count);
+        for (size_t i = first; i < first + count; ++i)
+            flakes.push_back({positions[i], ages[i], velocities[i], rests[i]});
         return flakes;
     }
 
     // The loop of update_in_one_loop; the physics wants each flake in one piece.
     void update(uint tick, const Weather& weather)
     {
-        std::array<Particle, block> room;
         for (size_t begin = 0; begin < positions.size(); begin += block) {
-            const std::span<Particle> some(room.data(), min(block, positions.size() - begin));
-            gather(some, begin);
+            std::vector<Particle> some = gather(begin, min(block, positions.size() - begin));
             update_block(some, uint(begin), tick, weather);
             scatter(some, begin);
         }
@@ -75,14 +66,14 @@ void run_soa(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    const GLenum hint = usage(options.hint);
 
     Flakes flakes(make_flakes(weather));
-    uint tick = 0;  // time steps made so far
+    uint tick = 0;                                           // time steps made so far
+    const std::vector<Group> groups = make_groups(options);  // flakes of one size
     const GLsizeiptr bytes = GLsizeiptr(flakes.positions.size() * sizeof(vec3));
     const GlObject buffer = make_buffer();
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, hint);
+    glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
     check_memory("the positions", double(bytes));
 
     glClearColor(0.05f, 0.10f, 0.10f, 1.0f);
@@ -102,22 +93,16 @@ void run_soa(Window& window)
         }
         {
             const auto stage = window.stage("draw");
-            glMatrixMode(GL_PROJECTION);
-            glLoadMatrixf(value_ptr(window.projection()));
-            glMatrixMode(GL_MODELVIEW);
-            glLoadMatrixf(value_ptr(window.view()));
+            load_matrices(window);
             // Positions lie one right behind the other in the buffer that is bound.
             glEnableClientState(GL_VERTEX_ARRAY);
             glVertexPointer(3, GL_FLOAT, sizeof(vec3), nullptr);
-            // In pieces, for points of two sizes: the first half of the pool is emitter 0's, of
-            // small flakes, the second half emitter 1's.
-            for (uint group = 0; group < options.groups; ++group) {
-                const uint begin = options.group_begin(group), end = options.group_begin(group + 1);
-                glPointSize(options.point_size * (of_first_emitter(begin, weather) ? 1.0f : 2.0f));
-                glDrawArrays(GL_POINTS, GLint(begin), GLsizei(end - begin));
+            for (const Group& group : groups) {
+                glPointSize(group.point_size);
+                glDrawArrays(GL_POINTS, GLint(group.begin), GLsizei(group.end - group.begin));
             }
         }
         window.swap_buffers();
     }
-    window.dump(flakes.gather());
+    window.dump(flakes.gather(0, flakes.positions.size()));
 }

@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Every program with its variants, the default first.
 VARIANTS = {
-    "step01_cpu_points": ["one-loop", "three-loops", "hexagons", "threads"],
+    "step01_cpu_points": ["one-loop", "plain", "three-loops", "threads", "hexagons"],
     "step02_vbo": ["subdata", "orphan", "persistent", "arrays", "soa"],
     "step03_shader_points": ["disc", "texture"],
     "step04_transform_feedback": ["feedback", "texture", "compute", "geometry"],

@@ -139,15 +139,6 @@ void check_voxels(int voxels)
                                                std::to_string(voxels));
 }
 
-// Not every variant of a step that fills buffers does so with glBufferData.
-void check_hint(const CommandLine& command)
-{
-    const std::vector<std::string>& hinted = command.lesson.hinted;
-    if (std::find(hinted.begin(), hinted.end(), command.variant) != hinted.end()) return;
-    throw CLI::ValidationError("--hint", "is for glBufferData, which --variant " + command.variant +
-                                             " does not call");
-}
-
 // AZIMUTH,ELEVATION,DISTANCE: degrees, degrees and m, within what the mouse can do.
 void place_camera(const std::string& text, Camera& camera)
 {
@@ -263,12 +254,6 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                        "pixels of emitter 0's points, half of emitter 1's (1)")
             ->check(CLI::Range(0.1, 64.0));
     }
-    CLI::Option* hint = nullptr;
-    if (!lesson.hinted.empty()) {
-        hint = app.add_option("--hint", command.hint,
-                              "how a buffer is to be used, as glBufferData is told (stream)");
-        hint->check(CLI::IsMember({"stream", "dynamic", "static"}));
-    }
     if (has_parameter(command, "hold_fps")) {
         app.add_option_function<std::string>(
             "--hold-fps",
@@ -320,7 +305,6 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         check_outputs(command);
         command.size = parse_size(size);
         check_voxels(command.voxels);
-        if (hint != nullptr && hint->count() > 0) check_hint(command);
         command.weather = snow::make_weather(preset, particles, seed);
         if (command.scene == "mountains") enter_mountains(command);
         if (!camera.empty()) place_camera(camera, command.camera);

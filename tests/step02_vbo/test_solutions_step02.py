@@ -34,7 +34,7 @@ def test_exercise_3_velocities_are_colours(edited, programs, tmp_path):
     assert (red > 40).sum() > 1000 and (blue > 50).sum() > 1000
 
 
-def test_exercise_4_one_part_draws_the_same(edited, programs, tmp_path):
+def test_exercise_4_one_region_draws_the_same(edited, programs, tmp_path):
     shown = [*TEN_SECONDS, "--variant", "persistent"]
     expected = draw(programs, tmp_path, *shown)
     with edited(f"{STEP}/solutions/4.patch", build=STEP) as changed:
