@@ -34,8 +34,8 @@ vec2 crystal_tile(uint index)
     return vec2(bits & 3u, 7u - row);  // the texture's first row is the lowest
 }
 
-// Its opacity at a place from (-1, -1) to (1, 1) across the flake.
-float crystal_opacity(sampler2D crystals, vec2 tile, vec2 place)
+// Its opacity at uv from (-1, -1) to (1, 1) across the flake.
+float crystal_opacity(sampler2D crystals, vec2 tile, vec2 uv)
 {
-    return texture(crystals, (tile + 0.5 + 0.5 * place) / vec2(4.0, 8.0)).a;
+    return texture(crystals, (tile + 0.5 + 0.5 * uv) / vec2(4.0, 8.0)).a;
 }

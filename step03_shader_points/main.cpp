@@ -1,8 +1,8 @@
 // Step 3: same as step 2, but shaders draw the flakes: a vertex shader makes each as large as it
-// looks from its distance, a fragment shader gives the square point its shape. The cost of beauty
-// is paid sprite by sprite, on the GPU. New calls: glUseProgram, glUniform (in Program),
-// glVertexAttribPointer, glBindBufferBase(GL_UNIFORM_BUFFER), glEnable(GL_PROGRAM_POINT_SIZE),
-// glBlendFunc.
+// looks from its distance, a fragment shader gives the square point its shape: a disc, or a crystal
+// from a picture. The cost of beauty is paid sprite by sprite, on the GPU. New calls: glUseProgram,
+// glUniform (in Program), glVertexAttribPointer, glBindBufferBase(GL_UNIFORM_BUFFER),
+// glEnable(GL_PROGRAM_POINT_SIZE), glBlendFunc, glBindTexture (in Program).
 
 #include <GL/glew.h>
 
@@ -11,6 +11,7 @@
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
 #include "step01_cpu_points/update.hpp"
+#include "step03_shader_points/load_texture.hpp"
 #include "step03_shader_points/particle_layout.hpp"
 
 using namespace snow;
@@ -19,6 +20,7 @@ void run(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
+    const bool textured = options.variant == "texture";
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
@@ -33,7 +35,10 @@ void run(Window& window)
 
     UniformBlock<Weather> weather_block;
     Program flake({{GL_VERTEX_SHADER, "step03_shader_points/flake.vert"},
-                   {GL_FRAGMENT_SHADER, "step03_shader_points/flake.frag"}});
+                   {GL_FRAGMENT_SHADER, textured ? "step03_shader_points/crystal.frag"
+                                                 : "step03_shader_points/flake.frag"}});
+    GlObject crystals;
+    if (textured) crystals = load_texture("step03_shader_points/snowflakes.png");
 
     glEnable(GL_PROGRAM_POINT_SIZE);  // the size comes from the vertex shader
     glEnable(GL_POINT_SPRITE);        // and gl_PointCoord with it
@@ -59,6 +64,7 @@ void run(Window& window)
             flake.set("view", window.view());
             flake.set("projection", window.projection());
             flake.set("window_height", float(window.size().y));
+            if (textured) flake.set_texture("crystals", CRYSTALS_UNIT, GL_TEXTURE_2D, crystals);
             glBindVertexArray(vao);
             glEnable(GL_BLEND);
             glDrawArrays(GL_POINTS, 0, GLsizei(flakes.size()));
@@ -69,14 +75,12 @@ void run(Window& window)
     window.dump(flakes);
 }
 
-void run_texture(Window& window);  // texture.cpp
-
 int main(int argc, char** argv)
 {
     Lesson lesson;
     lesson.name = "step03_shader_points";
     lesson.idea = "the snow of step 2, drawn by shaders as point sprites that shrink with distance";
     lesson.minimum_gl = 3.3;
-    lesson.variants = {{"disc", run}, {"texture", run_texture}};
+    lesson.variants = {{"disc", run}, {"texture", run}};
     return run_lesson(argc, argv, lesson);
 }
