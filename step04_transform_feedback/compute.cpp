@@ -1,7 +1,7 @@
-// The variant "compute": same as main.cpp, but a compute shader moves the flakes. It is no part of
-// drawing, may write to any place in a buffer, and so needs one buffer in place of two. But OpenGL
-// no longer sees to it that what was written is there for whoever reads it next: barriers do. New
-// calls: glBindBufferRange(GL_SHADER_STORAGE_BUFFER), glDispatchCompute, glMemoryBarrier.
+// The variant "compute": same as main.cpp, but a compute shader moves the flakes. It does not
+// belong to drawing and may write anywhere in a buffer, so it needs one buffer instead of two. But
+// OpenGL no longer keeps reads and writes of that buffer in order by itself: barriers do. New
+// calls: glBindBufferBase(GL_SHADER_STORAGE_BUFFER), glDispatchCompute, glMemoryBarrier.
 
 #include <GL/glew.h>
 
@@ -26,10 +26,11 @@ void run_compute(Window& window)
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(Particle));
-    // No shader sees more of a buffer at once than this: so many flakes, in whole groups of 1024.
-    GLint64 largest = 0;
+    GLint64 largest = 0;  // bytes that a shader can reach in one buffer
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-    const size_t piece = size_t(largest) / sizeof(Particle) / 1024 * 1024;
+    if (bytes > largest) {
+        throw std::runtime_error("--variant compute: too many flakes for this card: try feedback");
+    }
     const GlObject buffer = make_buffer();
     const GlObject vao = make_vertex_array();
     glBindVertexArray(vao);
@@ -57,17 +58,13 @@ void run_compute(Window& window)
             update.use();
             for (; window.next_tick(); ++tick) {
                 update.set("tick", tick);
-                for (size_t first = 0; first < flakes.size(); first += piece) {
-                    const size_t count = min(piece, flakes.size() - first);
-                    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, FLAKES_BUFFER, buffer,
-                                      GLintptr(first * sizeof(Particle)),
-                                      GLsizeiptr(count * sizeof(Particle)));
-                    update.set("first", uint(first));
-                    glDispatchCompute(GLuint(count + 1023) / 1024, 1, 1);
-                }
-                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the next reads what this wrote
+                glBindBufferBase(GL_SHADER_STORAGE_BUFFER, FLAKES_BUFFER, buffer);
+                // Behind it this reads what the last update wrote, and writes only when the last
+                // draw has fetched its vertices.
+                glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+                glDispatchCompute(GLuint(flakes.size() + 1023) / 1024, 1, 1);
             }
-            glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);  // and so does the draw
+            glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);  // the draw reads what this wrote
         }
         {
             const auto stage = window.stage("draw");
@@ -82,7 +79,7 @@ void run_compute(Window& window)
         }
         window.swap_buffers();
     }
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // and whoever copies it
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // and so does the copy
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glGetBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.data());
     check_read_back("the flakes");

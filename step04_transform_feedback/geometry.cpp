@@ -1,8 +1,8 @@
 // The variant "geometry": same as main.cpp, but the buffer holds only flakes that live, as
-// Pettersson and Jin have it: a geometry shader moves each and emits it if it lives on; then those
-// that are born are appended. How many there are, only the GPU knows, and need not tell: it draws
-// as many as it has written. New calls: glGenTransformFeedbacks, glBindTransformFeedback,
-// glDrawTransformFeedback, glVertexAttribIPointer, glBeginQuery.
+// Pettersson and Jin have it: a geometry shader emits each flake that lives on; then those that are
+// born are appended. The GPU draws as many as it has written, without telling their number. New
+// calls: glGenTransformFeedbacks, glBindTransformFeedback, glDrawTransformFeedback,
+// glVertexAttribIPointer.
 
 #include <GL/glew.h>
 
@@ -20,7 +20,7 @@ using namespace snow;
 
 namespace {
 
-// Which flake it is, it has to carry along: its place among those that live no longer tells.
+// A flake carries its index along: its position among those that live no longer tells.
 struct LiveFlake {
     Particle particle;
     uint index;
@@ -34,14 +34,7 @@ GlObject make_transform_feedback()
     return {id, [](GLuint feedback) { glDeleteTransformFeedbacks(1, &feedback); }};
 }
 
-GlObject make_query()
-{
-    GLuint id = 0;
-    glGenQueries(1, &id);
-    return {id, [](GLuint query) { glDeleteQueries(1, &query); }};
-}
-
-// A flake that waits to be born, after so many time steps: added up as all updates do, with the
+// A flake that waits to be born, after that many time steps: added up as all updates do, with the
 // same rounding.
 Particle waited(Particle p, uint ticks, const Weather& weather)
 {
@@ -61,7 +54,7 @@ void run_geometry(Window& window)
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
-    // Who waits for the first birth, and who waits least first: they are born in this order.
+    // Those that wait for their first birth, in the order in which they are born.
     std::vector<LiveFlake> waiting(flakes.size());
     for (uint i = 0; i < waiting.size(); ++i) waiting[i] = {flakes[i], i};
     std::sort(waiting.begin(), waiting.end(), [](const LiveFlake& a, const LiveFlake& b) {
@@ -85,8 +78,7 @@ void run_geometry(Window& window)
         glVertexAttribIPointer(4, 1, GL_UNSIGNED_INT, sizeof(LiveFlake),
                                reinterpret_cast<const void*>(offsetof(LiveFlake, index)));
     }
-    int now = first;                        // the buffer that holds the flakes as they are
-    const GlObject written = make_query();  // how many that is: asked after the last frame only
+    int now = first;  // the buffer that holds the flakes as they are
 
     UniformBlock<Weather> weather_block;
     Program update({{GL_VERTEX_SHADER, "step04_transform_feedback/update_geometry.vert"},
@@ -121,9 +113,8 @@ void run_geometry(Window& window)
                 update.set("tick", tick);
                 glEnable(GL_RASTERIZER_DISCARD);  // vertices are computed, nothing is drawn
                 glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedbacks[1 - now]);
-                glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, written);
                 glBeginTransformFeedback(GL_POINTS);
-                // Those who live on; then the successors of those who do not, and the new.
+                // Those that live on; then the successors of those that do not, and the new.
                 glBindVertexArray(vaos[now]);
                 update.set("births", false);
                 glDrawTransformFeedback(GL_POINTS, feedbacks[now]);
@@ -138,7 +129,6 @@ void run_geometry(Window& window)
                              GLsizei(due - next_born));
                 next_born = due;
                 glEndTransformFeedback();
-                glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
                 glDisable(GL_RASTERIZER_DISCARD);
                 now = 1 - now;
             }
@@ -156,12 +146,11 @@ void run_geometry(Window& window)
         }
         window.swap_buffers();
     }
-    // Put back where each belongs: in the order of their numbers, as the other variants have them.
-    GLuint living = 0;
-    if (tick > 0) glGetQueryObjectuiv(written, GL_QUERY_RESULT, &living);
-    std::vector<LiveFlake> live_flakes(living);
+    // Put back in the order of their indices, as the other variants have them. A flake that is gone
+    // has a successor at once, so as many live as were ever born for the first time.
+    std::vector<LiveFlake> live_flakes(size_t(next_born - waiting.begin()));
     glBindBuffer(GL_ARRAY_BUFFER, buffers[now]);
-    glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(living * sizeof(LiveFlake)),
+    glGetBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(live_flakes.size() * sizeof(LiveFlake)),
                        live_flakes.data());
     check_read_back("the flakes");
     for (const LiveFlake& one : live_flakes) flakes[one.index] = one.particle;

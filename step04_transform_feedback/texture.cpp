@@ -18,8 +18,8 @@ using namespace snow;
 
 namespace {
 
-// Half of the flakes' state each, a pixel a flake, and the framebuffer through which both are
-// drawn.
+// All flakes, a pixel each: one half of their state in either texture, and the framebuffer through
+// which both are drawn.
 struct State {
     GlObject position_age, velocity_rest, framebuffer;
 };
@@ -46,11 +46,6 @@ void run_texture(Window& window)
     uint tick = 0;                  // time steps made so far
     constexpr size_t width = 4096;  // pixels of a row; rows as many as it takes
     const ivec2 size(width, max((flakes.size() + width - 1) / width, size_t(1)));
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (size.y > largest) {
-        throw std::runtime_error("--variant texture: too many flakes for this card's textures");
-    }
     std::vector<vec4> position_age(width * size_t(size.y)), velocity_rest(position_age);
     for (size_t i = 0; i < flakes.size(); ++i) {
         position_age[i] = vec4(flakes[i].position, flakes[i].age);
@@ -69,7 +64,7 @@ void run_texture(Window& window)
                                state.velocity_rest, 0);
         const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
         glDrawBuffers(2, both);
-        // That it can draw to textures of this kind, two at once, a card has to say itself.
+        // Not every card can draw to two textures of this kind, or of this size.
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             throw std::runtime_error(
                 "--variant texture: this card cannot draw to two RGBA32F textures: try feedback");

@@ -8,15 +8,14 @@
 // The largest group that every card takes. Every card also takes 65,535 of them, enough for the largest pool.
 layout(local_size_x = 1024) in;
 
-uniform uint tick;   // number of the time step
-uniform uint first;  // index of the flake that this piece of the buffer begins with
+uniform uint tick;  // number of the time step
 
 // std430 lays a Particle out as C++ does: each of its vec3 is followed by one float.
 layout(std430, binding = FLAKES_BUFFER) buffer Flakes { Particle flakes[]; };
 
 void main()
 {
-    uint place = gl_GlobalInvocationID.x, index = first + place;
+    uint index = gl_GlobalInvocationID.x;
     if (index >= weather.particles) return;  // the last group may reach beyond the pool
-    flakes[place] = advance(flakes[place], index, tick, weather);
+    flakes[index] = advance(flakes[index], index, tick, weather);
 }

@@ -1,27 +1,19 @@
 #version 330 core
-// Hands a flake, and which one it is, on to update.geom.
+// One time step of one flake, as update.vert makes it. update.geom decides which flakes are kept.
 
-layout(location = 0) in vec3 position;
-layout(location = 1) in float age;
-layout(location = 2) in vec3 velocity;
-layout(location = 3) in float rest;
-layout(location = 4) in uint index;
+#include "step04_transform_feedback/flake_state.glsl"
 
-out Flake
-{
-    vec3 position;
-    float age;
-    vec3 velocity;
-    float rest;
-    uint index;
-}
-flake;
+layout(location = 4) in uint old_index;
+
+out Particle moved;
+out uint moved_index;
+out float was_born;  // 1: this flake is born in this time step
 
 void main()
 {
-    flake.position = position;
-    flake.age = age;
-    flake.velocity = velocity;
-    flake.rest = rest;
-    flake.index = index;
+    bool waited = old_age < 0.0;  // until now: only flakes whose time has come get here
+    moved = accelerate(settle(move(load_flake(), weather), weather), weather.wind, old_index, tick, weather);
+    was_born = waited || gone(moved, old_index, weather) ? 1.0 : 0.0;
+    if (was_born == 1.0) moved = born(old_index, tick, weather);
+    moved_index = old_index;
 }
