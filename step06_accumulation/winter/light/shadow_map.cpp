@@ -16,6 +16,7 @@ ShadowMap::ShadowMap()
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // it is complete when it is first drawn to
 }
 
 void ShadowMap::update(glm::vec3 to_sun, const SceneMesh& mesh, bool soft, bool wide)

@@ -8,8 +8,9 @@ layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in float displacement;
 layout(location = 5) in float skirt;
+layout(location = 6) in vec4 even;
 
 Corner corner_here()
 {
-    return Corner(position, normal, colour, uv, displacement, skirt);
+    return Corner(position, normal, colour, uv, displacement, skirt, even);
 }

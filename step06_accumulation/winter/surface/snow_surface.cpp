@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "step05_collision/ground.hpp"
+#include "step06_accumulation/winter/surface/hollows.hpp"
 
 namespace {
 
@@ -188,6 +189,8 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     };
     std::vector<SurfaceSubmesh> submeshes =
         make_snow_surface(solid.drawn, 3 * solid.grid.cell_size);
+    // Where cells are wider than a hollow, there is nothing to be seen of it, and much to search.
+    if (solid.grid.cell_size < 0.3f) find_hollows(submeshes);
     const SurfaceSubmesh field = make_field(solid.grid, solid.drawn.vertices.empty());
     // The last has no picture, as the field.
     std::vector<SurfaceVertex>& last = submeshes.back().coarse;
@@ -217,6 +220,7 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     field_of(3, 2, offsetof(Vertex, uv));
     field_of(4, 1, offsetof(SurfaceVertex, displacement));
     field_of(5, 1, offsetof(SurfaceVertex, skirt));
+    field_of(6, 4, offsetof(SurfaceVertex, even));
 }
 
 void SnowSurface::draw(unsigned features, bool tessellated, float lamp_is_on)

@@ -15,6 +15,7 @@ in float base;               // height of the scene below that, 0 to 1 across th
 in vec3 base_normal;         // of the scene without snow
 in vec3 base_colour;
 in float is_skirt;           // 1: the side of the snow, where the surface it lies on ends
+in float evened;             // 0 to 1: snow has made even what is uneven below it
 in float beyond;             // 0 to 1: outside the grid, where nothing is known
 in vec4 air;                 // see air.glsl
 
@@ -47,7 +48,8 @@ Look look_at_surface()
     // What is steep holds less.
     float slipping = deep * (1.0 - smoothstep(0.1, 0.4, normal.y));
     float cover = is_behind ? 0.0 : smoothstep(0.0, 0.008, lying.x - hollow * fine.b - slipping);
-    vec3 snow_normal = normal / max(normal.y, 0.2) - vec3(lying.y, 0.0, lying.z);
+    // What fills hollows is deeper in some of them than in others, and yet level.
+    vec3 snow_normal = normal / max(normal.y, 0.2) - (1.0 - evened) * vec3(lying.y, 0.0, lying.z);
     if (is_skirt > 0.0) {
         cover = is_skirt;
         snow_normal = normal + vec3(0.0, 0.5, 0.0);

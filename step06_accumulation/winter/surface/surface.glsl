@@ -13,6 +13,7 @@ out vec3 base_normal;
 out vec3 base_colour;
 out vec2 picture_uv;
 out float is_skirt;
+out float evened;
 out float beyond;
 out vec4 air;
 
@@ -28,8 +29,12 @@ void put_on_snow(Corner corner)
     // would be left if it could.
     float most = frame.field_depth + tan(radians(weather.repose)) * max(-away, 0.0);
     float depth = min(mix(depth_at(corner.position), frame.field_depth, beyond), most);
-    vec3 world_position = corner.position + vec3(0.0, corner.displacement * depth, 0.0);
-    base_normal = corner.normal;
+    const float filling = 0.3;  // m of snow that fill all hollows
+    float filled = corner.displacement * smoothstep(0.0, filling, depth);
+    vec3 world_position = corner.position;
+    world_position.y += corner.displacement * depth + filled * corner.even.w;
+    base_normal = corner.skirt > 0.0 ? corner.normal : mix(corner.normal, corner.even.xyz, filled);
+    evened = filled * smoothstep(0.0, 0.05, distance(corner.normal, corner.even.xyz));
     spot = spot_at(world_position, base_normal);
     base_colour = corner.colour;
     picture_uv = corner.uv;

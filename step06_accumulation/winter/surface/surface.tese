@@ -14,6 +14,7 @@ void main()
     precise vec3 position = t.x * control[0].position + t.y * control[1].position + t.z * control[2].position;
     precise float displacement =
         t.x * control[0].displacement + t.y * control[1].displacement + t.z * control[2].displacement;
+    precise vec4 even = t.x * control[0].even + t.y * control[1].even + t.z * control[2].even;
     Corner between;
     between.position = position;
     between.normal = t.x * control[0].normal + t.y * control[1].normal + t.z * control[2].normal;
@@ -21,5 +22,6 @@ void main()
     between.uv = t.x * control[0].uv + t.y * control[1].uv + t.z * control[2].uv;
     between.displacement = displacement;
     between.skirt = control[0].skirt;
+    between.even = even;
     put_on_snow(between);
 }
