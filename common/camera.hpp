@@ -20,7 +20,7 @@ struct Camera {
                                              across * std::cos(azimuth));
     }
     glm::mat4 view() const { return glm::lookAt(eye(), target, {0, 1, 0}); }
-    glm::mat4 projection(glm::ivec2 window) const  // near and far plane at 0.1 m and 200 m
+    glm::mat4 projection(glm::ivec2 window) const  // near and far plane at 0.1 m and 2 km
     {
         return glm::perspective(field_of_view, float(window.x) / float(window.y), 0.1f, 2000.0f);
     }

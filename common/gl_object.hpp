@@ -8,8 +8,15 @@
 
 class GlObject {
 public:
+    using Remove = void(GLAPIENTRY*)(GLsizei count, const GLuint* ids);
+
     GlObject() = default;
-    GlObject(GLuint id, void (*remove)(GLuint)) : id_(id), remove_(remove) {}
+    GlObject(GLuint id, Remove remove) : id_(id), remove_(remove) {}
+    GlObject(void(GLAPIENTRY* generate)(GLsizei count, GLuint* ids), Remove remove)
+        : remove_(remove)
+    {
+        generate(1, &id_);
+    }
     GlObject(GlObject&& other) noexcept { swap(other); }
     GlObject& operator=(GlObject&& other) noexcept
     {
@@ -18,7 +25,7 @@ public:
     }
     ~GlObject()
     {
-        if (id_ != 0) remove_(id_);
+        if (id_ != 0) remove_(1, &id_);
     }
     operator GLuint() const { return id_; }
 
@@ -29,52 +36,32 @@ private:
         std::swap(remove_, other.remove_);
     }
     GLuint id_ = 0;
-    void (*remove_)(GLuint) = nullptr;
+    Remove remove_ = nullptr;
 };
-
-// To be called after a large allocation. Throws std::runtime_error if OpenGL had no memory for it.
-void check_memory(const char* what, double bytes);
-
-// To be called with a framebuffer bound that is complete now. Throws std::runtime_error if this card
-// cannot draw to what is attached.
-void check_framebuffer(const char* what);
-
-// To be called after reading back. Throws std::runtime_error if OpenGL has not delivered.
-void check_read_back(const char* what);
 
 inline GlObject make_buffer()
 {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    return {id, [](GLuint buffer) { glDeleteBuffers(1, &buffer); }};
+    return {glGenBuffers, glDeleteBuffers};
 }
 
 inline GlObject make_vertex_array()
 {
-    GLuint id = 0;
-    glGenVertexArrays(1, &id);
-    return {id, [](GLuint vao) { glDeleteVertexArrays(1, &vao); }};
+    return {glGenVertexArrays, glDeleteVertexArrays};
 }
 
 inline GlObject make_texture()
 {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    return {id, [](GLuint texture) { glDeleteTextures(1, &texture); }};
+    return {glGenTextures, glDeleteTextures};
 }
 
 inline GlObject make_framebuffer()
 {
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    return {id, [](GLuint framebuffer) { glDeleteFramebuffers(1, &framebuffer); }};
+    return {glGenFramebuffers, glDeleteFramebuffers};
 }
 
 inline GlObject make_renderbuffer()
 {
-    GLuint id = 0;
-    glGenRenderbuffers(1, &id);
-    return {id, [](GLuint renderbuffer) { glDeleteRenderbuffers(1, &renderbuffer); }};
+    return {glGenRenderbuffers, glDeleteRenderbuffers};
 }
 
 // Binds a texture to a unit of bindings.glsl, at which a shader's layout(binding = ...) finds it.
@@ -83,3 +70,14 @@ inline void bind_texture(GLuint unit, GLenum target, GLuint texture)
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(target, texture);
 }
+
+// To be called after a large allocation: throws std::runtime_error if OpenGL had no memory for it,
+// or has met any other error since it was last asked.
+void check_memory(const char* what, double bytes);
+
+// To be called with a framebuffer bound that is complete now: throws std::runtime_error if this card
+// cannot draw to what is attached.
+void check_framebuffer(const char* what);
+
+// To be called after reading back: throws std::runtime_error if OpenGL has not delivered.
+void check_read_back(const char* what);

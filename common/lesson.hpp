@@ -42,7 +42,7 @@ struct Lesson {
 struct Options {
     std::string variant;
     snow::Weather weather{};      // with particles, seed and every --set already in it
-    unsigned timelapse = 1;       // time steps in place of one
+    unsigned timelapse = 1;       // time steps instead of one
     unsigned groups = 2;          // pieces in which the pool is drawn
     float point_size = 1;         // pixels, of emitter 0's flakes; emitter 1's are twice as wide
     std::filesystem::path scene;  // where has_scene: the courtyard unless given

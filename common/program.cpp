@@ -1,27 +1,96 @@
 #include "common/program.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 
-#include "common/harness/shader_source.hpp"
+#include "common/files.hpp"
 #include "common/snow.hpp"
 
 namespace {
 
+// The compiler is told that line 12 of the second file is line 200012: whatever the driver writes
+// of it, that number says which file it is in.
+constexpr size_t lines_of_a_file = 100000;
+
+std::string line_directive(size_t file, size_t line)
+{
+    return "#line " + std::to_string(file * lines_of_a_file + line) + "\n";
+}
+
+// A shader's text with its includes in place, each file once, and the names of these files.
+struct Source {
+    std::string text;
+    std::vector<std::string> files;
+
+    void append(const std::string& name)
+    {
+        files.push_back(name);
+        const size_t file = files.size();
+        std::istringstream lines(read_file(find_file(name)));
+        std::string line;
+        for (size_t number = 1; std::getline(lines, line); ++number) {
+            constexpr std::string_view include = "#include \"";
+            if (!line.starts_with(include)) {
+                text += line + "\n";
+                continue;
+            }
+            const std::string included =
+                line.substr(include.size(), line.rfind('"') - include.size());
+            if (std::find(files.begin(), files.end(), included) == files.end()) {
+                text += line_directive(files.size() + 1, 1);
+                append(included);
+            }
+            text += line_directive(file, number + 1);
+        }
+    }
+
+    // The driver's log with each number of a line as the file's name and the line in it. Mesa
+    // writes "0:100012(5): error: ...", NVIDIA "0(100012) : error ...", AMD "ERROR: 0:100012: ...".
+    std::string translate(const std::string& log) const
+    {
+        static const std::regex position(R"(\d+[:(](\d{6,8})\)?)");
+        std::string result;
+        std::string::const_iterator rest = log.begin();
+        for (std::sregex_iterator found(rest, log.end(), position), end; found != end; ++found) {
+            const size_t number = std::stoul((*found)[1]);
+            result.append(rest, (*found)[0].first);
+            result += files.at(number / lines_of_a_file - 1) + ":" +
+                      std::to_string(number % lines_of_a_file);
+            rest = (*found)[0].second;
+        }
+        return result.append(rest, log.end());
+    }
+};
+
+// What the driver has written: call one of glGetShaderInfoLog and glGetProgramInfoLog.
+template <typename GetLog>
+std::string log_of(GetLog get_log, GLuint name)
+{
+    char log[10000] = {};
+    get_log(name, sizeof log, nullptr, log);
+    const std::string text = log;
+    return text.substr(0, text.find_last_not_of("\n") + 1);
+}
+
 GlObject compile(const Shader& shader, const std::string& defines, std::string& all_sources)
 {
-    const ShaderSource source(shader.file, defines);
-    all_sources += source.text();
-    GlObject id(glCreateShader(shader.type), [](GLuint name) { glDeleteShader(name); });
-    const char* text = source.text().c_str();
+    Source source;
+    source.append(shader.file);
+    source.text.insert(source.text.find('\n') + 1, defines + line_directive(1, 2));
+    all_sources += source.text;
+    GlObject id(glCreateShader(shader.type),
+                [](GLsizei, const GLuint* name) { glDeleteShader(*name); });
+    const char* text = source.text.c_str();
     glShaderSource(id, 1, &text, nullptr);
     glCompileShader(id);
     GLint compiled = 0;
     glGetShaderiv(id, GL_COMPILE_STATUS, &compiled);
     if (!compiled) {
-        char log[10000] = {};
-        glGetShaderInfoLog(id, sizeof log, nullptr, log);
-        throw std::runtime_error("shader does not compile: " + source.first_error(log));
+        throw std::runtime_error("shader " + shader.file + " does not compile:\n" +
+                                 source.translate(log_of(glGetShaderInfoLog, id)));
     }
     return id;
 }
@@ -30,7 +99,7 @@ GlObject compile(const Shader& shader, const std::string& defines, std::string& 
 
 Program::Program(const std::vector<Shader>& shaders, const std::vector<const char*>& varyings,
                  const std::string& defines)
-    : id_(glCreateProgram(), [](GLuint name) { glDeleteProgram(name); })
+    : id_(glCreateProgram(), [](GLsizei, const GLuint* name) { glDeleteProgram(*name); })
 {
     for (const Shader& shader : shaders) {
         glAttachShader(id_, compile(shader, defines, sources_));  // it lives as long as this now
@@ -44,20 +113,17 @@ Program::Program(const std::vector<Shader>& shaders, const std::vector<const cha
     GLint linked = 0;
     glGetProgramiv(id_, GL_LINK_STATUS, &linked);
     if (!linked) {  // so does a varying that no shader writes
-        char log[10000] = {};
-        glGetProgramInfoLog(id_, sizeof log, nullptr, log);
-        throw std::runtime_error("shaders do not link: " + files_ + ": " + first_error_line(log));
+        throw std::runtime_error("shaders " + files_ + " do not link:\n" +
+                                 log_of(glGetProgramInfoLog, id_));
     }
     const GLuint block = glGetUniformBlockIndex(id_, "WeatherBlock");
-    if (block != GL_INVALID_INDEX) {
-        glUniformBlockBinding(id_, block, WEATHER_BLOCK);
-        GLint bytes = 0;
-        glGetActiveUniformBlockiv(id_, block, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
-        if (bytes !=
-            GLint(sizeof(snow::Weather))) {  // shaders are read as they are, this was built
-            throw std::runtime_error(
-                "common/snow.glsl is not the one this program was built with: build again");
-        }
+    if (block == GL_INVALID_INDEX) return;
+    glUniformBlockBinding(id_, block, WEATHER_BLOCK);
+    GLint bytes = 0;
+    glGetActiveUniformBlockiv(id_, block, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+    if (bytes != GLint(sizeof(snow::Weather))) {  // shaders are read as they are, this was built
+        throw std::runtime_error(
+            "common/snow.glsl is not the one this program was built with: build again");
     }
 }
 

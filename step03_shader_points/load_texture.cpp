@@ -3,7 +3,7 @@
 #include <stb_image.h>
 #include <stdexcept>
 
-#include "common/harness/files.hpp"
+#include "common/files.hpp"
 
 Image read_picture(const std::filesystem::path& path)
 {

@@ -29,9 +29,7 @@ static_assert(sizeof(LiveFlake) == 36, "as transform feedback writes it");
 
 GlObject make_transform_feedback()
 {
-    GLuint id = 0;
-    glGenTransformFeedbacks(1, &id);
-    return {id, [](GLuint feedback) { glDeleteTransformFeedbacks(1, &feedback); }};
+    return {glGenTransformFeedbacks, glDeleteTransformFeedbacks};
 }
 
 // A flake that waits to be born, after that many time steps: added up as all updates do, with the

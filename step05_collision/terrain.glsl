@@ -3,7 +3,7 @@
 
 #include "step05_collision/grid.glsl"
 
-layout(binding = TERRAIN_UNIT) uniform sampler2D terrain;  // m, see common/harness/terrain.hpp
+layout(binding = TERRAIN_UNIT) uniform sampler2D terrain;  // m, see common/terrain.hpp
 
 float terrain_at(vec3 position)
 {

@@ -1,34 +1,25 @@
 #include "common/harness/driver.hpp"
 
-#include "common/gl_object.hpp"
-#include "common/harness/text.hpp"
-
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 
-#include <csignal>
+#include <algorithm>
+#include <cctype>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 #include <stdexcept>
 
+#include "common/lesson.hpp"
+
 namespace {
 
-const char* gl_string(GLenum name)
+std::string renderer;
+
+std::string gl_string(GLenum name)
 {
     return reinterpret_cast<const char*>(glGetString(name));
-}
-
-std::string renderer_of_context;  // as it was while there was a context to ask
-
-volatile std::sig_atomic_t interrupt = 0;
-
-void on_interrupt(int signal)
-{
-    interrupt = 1;
-    std::signal(signal, SIG_DFL);
 }
 
 // Advice, such as on what makes it slow, goes to stdout: stderr is for what is wrong.
@@ -49,95 +40,69 @@ void on_glut_error(const char* format, va_list arguments)
 {
     std::fputs("error: ", stderr);
     std::vfprintf(stderr, format, arguments);
-#ifdef _WIN32
-    std::fputs(" (has the display OpenGL? a remote one may have none)\n", stderr);
-#else
-    const bool no_display = std::strstr(format, "open display") != nullptr;
-    std::fputs(no_display ? " (is DISPLAY set to a running X server? `xvfb-run` provides one "
-                            "without a screen)\n"
-                          : " (has the display OpenGL? `glxinfo -B` tells)\n",
+    std::fputs(" (is there a display, in DISPLAY, and has it OpenGL? `glxinfo -B` tells, and "
+               "`xvfb-run` provides one without a screen)\n",
                stderr);
-#endif
     std::_Exit(1);
 }
 
-void on_glut_warning(const char*, va_list) {}
+// Steps 1 to 3 draw with fixed functions, and so does the panel.
+bool is_core_profile()
+{
+    GLint profile = 0, flags = 0;
+    if (GLEW_VERSION_3_2) glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    if (GLEW_VERSION_3_0) glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+    return (profile & GL_CONTEXT_CORE_PROFILE_BIT) != 0 ||
+           (flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0;
+}
+
+void check_opengl(const Lesson& lesson)
+{
+    const auto need = [&lesson](const std::string& what, const std::string& there_is) {
+        throw std::runtime_error(lesson.name + " needs " + what + ", " + renderer + " has " +
+                                 there_is + ": try an earlier step");
+    };
+    const std::string version = gl_string(GL_VERSION);  // "4.5 (Compatibility Profile) Mesa ..."
+    if (std::strtod(version.c_str(), nullptr) < lesson.minimum_gl - 0.01) {
+        char number[8];
+        std::snprintf(number, sizeof number, "%.1f", lesson.minimum_gl);
+        need(std::string("OpenGL ") + number, version);
+    }
+    if (is_core_profile()) {
+        throw std::runtime_error(lesson.name +
+                                 " needs a compatibility profile of OpenGL, this is " + version +
+                                 " without (is MESA_GL_VERSION_OVERRIDE set?)");
+    }
+    for (const char* extension : lesson.extensions) {
+        if (!has_extension(extension)) need(extension, "none");
+    }
+    for (const Limit& limit : lesson.limits) {
+        GLint value = 0;
+        glGetIntegerv(limit.name, &value);
+        if (value < limit.minimum)
+            need(std::to_string(limit.minimum) + " " + limit.what, std::to_string(value));
+    }
+}
 
 }  // namespace
 
 void report_glut_errors()
 {
     glutInitErrorFunc(on_glut_error);
-    glutInitWarningFunc(on_glut_warning);
+    glutInitWarningFunc([](const char*, va_list) {});
 }
 
-void catch_interrupts()
+void load_opengl(const Lesson& lesson, bool debug)
 {
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
-}
-
-bool interrupted()
-{
-    return interrupt != 0;
-}
-
-void load_opengl()
-{
-    glewExperimental = GL_TRUE;
     const GLenum status = glewInit();
     // Without a GLX display (under Wayland) GLEW has still loaded OpenGL's own functions.
     if (status != GLEW_OK && status != GLEW_ERROR_NO_GLX_DISPLAY) {
         throw std::runtime_error(std::string("cannot load OpenGL's functions: ") +
                                  reinterpret_cast<const char*>(glewGetErrorString(status)));
     }
-    renderer_of_context = gl_string(GL_RENDERER);
-}
-
-// Not GLEW's own flags: with glewExperimental they say that there are pointers to the functions,
-// which a driver may hand out for what it lacks.
-bool has_extension(const char* name)
-{
-    if (!GLEW_VERSION_3_0) return glewGetExtension(name);
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i) {
-        const GLubyte* extension = glGetStringi(GL_EXTENSIONS, GLuint(i));
-        if (std::strcmp(reinterpret_cast<const char*>(extension), name) == 0) return true;
-    }
-    return false;
-}
-
-void check_opengl(const Lesson& lesson)
-{
-    // "4.5 (Compatibility Profile) Mesa ..."
-    const double version = std::strtod(gl_string(GL_VERSION), nullptr);
-    if (version < lesson.minimum_gl - 0.01) {
-        char line[128];
-        std::snprintf(line, sizeof line,
-                      "%s needs OpenGL %.1f, this is %.1f (%s): try an earlier step",
-                      lesson.name.c_str(), lesson.minimum_gl, version, gl_string(GL_RENDERER));
-        throw std::runtime_error(line);
-    }
-    for (const char* extension : lesson.extensions) {
-        if (!has_extension(extension)) {
-            throw std::runtime_error(lesson.name + " needs " + extension + ", which " +
-                                     gl_string(GL_RENDERER) + " lacks: try an earlier step");
-        }
-    }
-    for (const Limit& limit : lesson.limits) {
-        GLint value = 0;
-        glGetIntegerv(limit.name, &value);
-        if (value < limit.minimum) {
-            throw std::runtime_error(lesson.name + " needs " + std::to_string(limit.minimum) + " " +
-                                     limit.what + ", " + gl_string(GL_RENDERER) + " has " +
-                                     std::to_string(value) + ": try an earlier step");
-        }
-    }
-}
-
-void print_debug_messages()
-{
+    renderer = gl_string(GL_RENDERER);
+    check_opengl(lesson);
+    if (!debug) return;
     if (!has_extension("GL_KHR_debug"))
         throw std::runtime_error("--debug needs GL_KHR_debug, which this OpenGL lacks");
     glEnable(GL_DEBUG_OUTPUT);
@@ -145,52 +110,24 @@ void print_debug_messages()
     glDebugMessageCallback(on_message, nullptr);
 }
 
-void check_memory(const char* what, double bytes)
+bool has_extension(const char* name)
 {
-    bool short_of_memory = false;
-    while (const GLenum error = glGetError()) short_of_memory |= error == GL_OUT_OF_MEMORY;
-    if (!short_of_memory) return;
-    char line[160];
-    std::snprintf(line, sizeof line,
-                  "not enough memory on %s: %s need %.0f MiB (try fewer --particles or --voxels)",
-                  gl_string(GL_RENDERER), what, bytes / (1 << 20));
-    throw std::runtime_error(line);
+    return glewIsSupported(name);
 }
 
-void check_framebuffer(const char* what)
+const std::string& renderer_name()
 {
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status == GL_FRAMEBUFFER_COMPLETE) return;
-    char line[160];
-    std::snprintf(line, sizeof line, "%s cannot draw %s: framebuffer status 0x%04X",
-                  gl_string(GL_RENDERER), what, status);
-    throw std::runtime_error(line);
-}
-
-// Of a context that is lost nothing can be asked, and calls do nothing: not even an error is there.
-void check_read_back(const char* what)
-{
-    const GLenum error = glGetError();
-    const bool lost = gl_string(GL_VERSION) == nullptr;
-    if (!lost && error == GL_NO_ERROR) return;
-    char line[160];
-    std::snprintf(line, sizeof line, "cannot read back %s: %s 0x%04X (on %s)", what,
-                  lost ? "the context is lost, error" : "OpenGL error", error,
-                  renderer_of_context.c_str());
-    throw std::runtime_error(line);
-}
-
-std::string renderer_name()
-{
-    return renderer_of_context;
+    return renderer;
 }
 
 bool renders_in_software()
 {
-    const std::string renderer = lower_case(renderer_name());  // "virgl (LLVMPIPE ...)", too
-    for (const char* name : {"llvmpipe", "lavapipe", "softpipe", "swrast", "software", "swr",
-                             "gdi generic", "basic render"}) {
-        if (renderer.find(name) != std::string::npos) return true;
+    std::string name = renderer;  // "virgl (LLVMPIPE ...)", too
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    for (const char* software :
+         {"llvmpipe", "softpipe", "swrast", "swr", "software", "gdi generic", "basic render"}) {
+        if (name.find(software) != std::string::npos) return true;
     }
     return false;
 }

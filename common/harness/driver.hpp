@@ -1,32 +1,39 @@
-// What OpenGL this is, and whether it will do.
+// What OpenGL and the window system are here, and whether they will do.
 #pragma once
 
+#include <functional>
 #include <string>
 
-#include "common/lesson.hpp"
+struct Lesson;
 
 // Ends the program with one line where GLUT finds no display, or none that it can use.
 void report_glut_errors();
 
-// From now on Ctrl-C and SIGTERM only ask for an end, so that what was computed can be written; the
-// second ends the program at once.
-void catch_interrupts();
-bool interrupted();
-
-// Loads OpenGL's functions into GLEW. Throws std::runtime_error if there are none.
-void load_opengl();
-
-// Throws std::runtime_error if the OpenGL of the current context lacks what the step needs.
-void check_opengl(const Lesson& lesson);
-
-// Prints every message of the driver on stderr from now on. Throws std::runtime_error if it has
-// none.
-void print_debug_messages();
+// Loads OpenGL's functions into GLEW. debug: prints every message of the driver from now on. Throws
+// std::runtime_error if the OpenGL of the current context lacks what that or the step needs.
+void load_opengl(const Lesson& lesson, bool debug);
 
 // Does the driver say that it has this extension? "GL_ARB_...", which may be part of its version.
 bool has_extension(const char* name);
 
-std::string renderer_name();
+// As it was while there was a context to ask.
+const std::string& renderer_name();
 
 // Is there no graphics card behind this OpenGL?
 bool renders_in_software();
+
+// ---- What the window system has and GLUT lacks: window_system.cpp
+
+// Asks the driver of the current context to wait for the display, or not to. Returns "on" or "off",
+// or "off (not reported)" where it has no such thing; null if it cannot wait.
+const char* set_vsync(bool wait);
+
+// Names the window of the current context.
+void set_title(const char* title);
+
+// Where a window that is closed takes its context along, calls `ask` instead of closing it.
+// Elsewhere it does nothing, and glutCloseFunc tells of the close button.
+void take_close_button(const std::function<void()>& ask);
+
+// Memory that this process has in use, MiB; 0 where the system does not tell.
+double process_memory();

@@ -1,159 +1,218 @@
 #include "common/harness/harness.hpp"
 
 #include <GL/glew.h>
-#include <GL/freeglut.h>
 
+#include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
-#include <imgui.h>
-#include <imgui_impl_glut.h>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
-#include "common/harness/benchmark.hpp"
 #include "common/harness/driver.hpp"
-#include "common/harness/dump.hpp"
-#include "common/harness/process.hpp"
-#include "common/harness/recorder.hpp"
+#include "common/harness/output.hpp"
 #include "common/harness/tour.hpp"
-#include "common/harness/window_system.hpp"
-#include "common/window.hpp"
 
-Harness::Harness(CommandLine line) : command(std::move(line)), show_panel_(!command.reproducible())
+#ifndef SIGHUP  // the terminal was closed; Windows does not tell
+#define SIGHUP SIGTERM
+#endif
+
+static volatile std::sig_atomic_t interrupted = 0;
+
+// The first asks for an end, so that what was computed can be written; a second ends it at once.
+static void on_interrupt(int signal)
 {
-    controls.touring = command.tour;
+    interrupted = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+Harness::Harness(CommandLine line)
+    : Window(line.lesson.name, line.size, line.camera, line.debug), command_(std::move(line)),
+      show_panel_(!command_.reproducible())
+{
+    touring_ = command_.tour;
+    load_opengl(command_.lesson, command_.debug);
+    vsync_ = set_vsync(command_.vsync);
+    if (vsync_ == nullptr)
+        throw std::runtime_error("--vsync: this driver cannot wait for the display");
+    take_close_button([this] { close(); });
+    begin_run();
+    take_events();  // it is mapped, and may at once be of another size
 }
 
 void Harness::begin_run()
 {
-    controls.restart = false;
+    controls_.restart = false;
     drawn_ = drawn_at_last_title_ = 0;
-    frames_in_last_ = 1;
-    timer.clear();
-    software_ = renders_in_software();
-    const unsigned flakes = command.weather.particles;
-    check_memory_for_flakes(flakes, software_, free_memory());
-    const double size = size_of_flakes(flakes);
-    char mebibytes[16];
-    std::snprintf(mebibytes, sizeof mebibytes, "%.*f", size < 10 ? 1 : 0, size);
-    std::cout << command.lesson.name << " " << command.variant << ": " << renderer_name()
-              << ", OpenGL " << glGetString(GL_VERSION) << ", " << flakes << " flakes of "
-              << mebibytes << " MiB, " << command.size.x << "x" << command.size.y << ", vsync "
-              << vsync_state() << std::endl;
-    if (software_) {
-        std::cout
-            << "warning: OpenGL runs in software here: times say nothing about a graphics card"
-            << std::endl;
+    stands_for_ = 1;
+    timer_ = {};
+    const double mebibytes =
+        double(command_.weather.particles) * sizeof(snow::Particle) / (1 << 20);
+    std::printf("%s %s: %s, OpenGL %s, %u flakes of %.*f MiB, %dx%d, vsync %s\n",
+                command_.lesson.name.c_str(), command_.variant.c_str(), renderer_name().c_str(),
+                reinterpret_cast<const char*>(glGetString(GL_VERSION)), command_.weather.particles,
+                mebibytes < 10 ? 1 : 0, mebibytes, command_.size.x, command_.size.y, vsync_);
+    if (renders_in_software()) {
+        std::puts("warning: OpenGL runs in software here: times say nothing about a graphics card");
         leave_off_what_is_costly();
     }
-    last_frame_ = last_swap_ = last_title_ = Clock::now();
+    std::fflush(stdout);
+}
+
+bool Harness::restarted()
+{
+    if (is_closing() || !controls_.restart) return false;
+    begin_run();
+    return true;
 }
 
 void Harness::leave_off_what_is_costly()
 {
     std::string names;
-    for (const snow::Parameter& parameter : command.parameters()) {
-        // Once: who turns it on later has decided, too.
-        if (!parameter.costly || !command.decided.insert(parameter.name).second) continue;
+    for (const snow::Parameter& parameter : command_.parameters()) {
+        // Once: a user who turns it on later has decided, too.
+        if (!parameter.costly || !command_.decided.insert(parameter.name).second) continue;
         parameter.set(0);
         names += std::string(names.empty() ? "" : ", ") + parameter.name;
     }
     if (!names.empty())
-        std::cout << "left off in software, unless --set NAME=1: " << names << std::endl;
+        std::printf("left off in software, unless --set NAME=1: %s\n", names.c_str());
 }
 
 bool Harness::enough() const
 {
-    return command.frames && drawn_ >= uint64_t(*command.frames) + command.warmup;
+    return command_.frames && drawn_ >= uint64_t(*command_.frames) + command_.warmup;
 }
 
-void Harness::begin_frame(Camera& camera)
+bool Harness::frame_begins()
 {
+    if (is_closing() || failed_ || enough() || controls_.restart) {
+        report();
+        return false;
+    }
     const Clock::time_point now = Clock::now();
-    frame_seconds = std::chrono::duration<double>(now - last_frame_).count() / frames_in_last_;
+    if (drawn_ == 0) {
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+            if (std::signal(number, on_interrupt) == SIG_IGN) std::signal(number, SIG_IGN);
+        }
+        last_frame_ = last_swap_ = last_title_ = now;
+    }
+    frame_seconds_ = std::chrono::duration<double>(now - last_frame_).count() / stands_for_;
     last_frame_ = last_events_ = now;
-    frames_in_last_ = frames_in_one(command, drawn_);
-    pacing.begin_frame(command, frame_seconds, frames_in_last_, controls);
-    if (controls.touring) {
-        const Pose pose =
-            terrain ? tour_above(*terrain, float(tour_time_)) : tour(float(tour_time_));
-        camera.look(pose.eye, pose.target);
-        // In a reproducible run a frame is a 60th of a second, so that a recording can be repeated.
-        if (drawn_ >= command.warmup)
-            tour_time_ += command.reproducible() ? 1 / 60.0 : frame_seconds;
-    }
-    snow::Weather& weather = command.weather;
-    if (weather.follow != 0) {
-        const glm::vec3 eye = camera.eye();
-        for (snow::Emitter& cloud : weather.emitters) cloud.centre = {eye.x, cloud.centre.y, eye.z};
-    }
-    const Timing timing = measuring()   ? timing_of_frame(command, drawn_, software_)
-                          : show_panel_ ? Timing::queries
-                                        : Timing::off;
-    if (timing != Timing::off) timer.begin_frame(timing == Timing::synchronised);
-    drawn_ += frames_in_last_;
-}
-
-void Harness::record(glm::ivec2 size, bool last)
-{
-    const uint64_t number = drawn_ > command.warmup ? drawn_ - command.warmup : 0;
-    attempt([&] {
-        record_frame(command, number, last, std::exchange(controls.save_picture, false),
-                     [size] { return read_back_buffer(size); });
-    });
-}
-
-void Harness::draw_panel(glm::ivec2 size)
-{
-    if (!show_panel_) return;
-    const StageTimer stage(timer.open() ? &timer : nullptr, "panel");
-    if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
-    panel_->draw(size, command, controls, timer.frames(), renderer_name());
-}
-
-void Harness::frame_shown()
-{
-    const Clock::time_point now = Clock::now();
-    timer.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count());
-    if (!measuring()) timer.keep(300);
-    last_swap_ = now;
-    if (!command.reproducible()) show_frame_time();
-}
-
-bool Harness::events_are_due()
-{
-    constexpr int few = 8;  // a frame makes no more without --timelapse: those are not held up
-    if (pacing.ticks() > 0 && pacing.ticks() % few == 0) glFinish();
-    const Clock::time_point now = Clock::now();
-    if (now - last_events_ < std::chrono::milliseconds(100)) return false;
-    last_events_ = now;
+    command_.weather.world_max.y += std::exchange(raise_world_by_, 0.0f);
+    pace();
+    move_camera();
+    // Software renderers answer some queries with 0: there the last frames of a benchmark's warm-up
+    // are a pass of its own, in which the stages wait for each other and can be told apart.
+    const bool counts = drawn_ >= command_.warmup;
+    const unsigned pass = std::min(60u, command_.warmup / 2);
+    const bool synchronised =
+        command_.benchmark && !counts && drawn_ + pass >= command_.warmup && renders_in_software();
+    if (measuring() ? counts || synchronised : show_panel_) timer_.begin_frame(synchronised);
+    drawn_ += stands_for_;
     return true;
 }
 
-void Harness::report(glm::ivec2 size)
+// Says how many time steps the frame is to make: always the same in a run that is to be repeatable.
+// Otherwise as many as the clock has moved on; a long hitch slows the snow down, it never skips.
+void Harness::pace()
 {
-    if (!measuring()) return;
-    timer.finish();
-    if (command.benchmark) {
-        print_summary(timer.frames());
-        const uint64_t asked = uint64_t(*command.frames) + command.warmup;
-        if (drawn_ < asked) {
-            std::cout << "benchmark: cut short after " << drawn_ << " of " << asked
-                      << " frames, warm-up included" << std::endl;
-        }
-    }
-    if (!command.csv.empty()) {
-        attempt([&] { write_csv(command.csv, command, size, renderer_name(), timer.frames()); });
+    const double time_step = command_.weather.time_step, timelapse = command_.timelapse;
+    ticks_ = 0;
+    // A warm-up need not be seen: a frame stands for many, until as few as that are left, which are
+    // drawn one by one, as those that count will be.
+    constexpr unsigned many = 60, few = 8;
+    const bool in_warmup = command_.reproducible() && drawn_ + 2 * many <= command_.warmup;
+    stands_for_ = in_warmup ? many : 1;
+    owed_seconds_ =
+        std::min(owed_seconds_ + timelapse * frame_seconds_, few * timelapse * time_step);
+    if (controls_.paused) {
+        owed_seconds_ = 0;
+        due_ = std::exchange(controls_.single_step, false) ? 1 : 0;
+    } else if (command_.reproducible()) {
+        due_ = int(command_.timelapse * stands_for_);
+    } else {
+        due_ = int(owed_seconds_ / time_step);
+        owed_seconds_ -= due_ * time_step;
     }
 }
 
-void Harness::attempt(const std::function<void()>& action)
-try {
-    action();
-} catch (const std::runtime_error& failure) {
-    std::cerr << "error: " << failure.what() << std::endl;
-    failed_ = true;
+void Harness::move_camera()
+{
+    if (touring_) {
+        const float seconds = float(tour_seconds_);
+        const Pose pose = terrain_ ? tour_above(*terrain_, seconds) : tour(seconds);
+        camera_.look(pose.eye, pose.target);
+        // In a reproducible run a frame is a 60th of a second, so that a recording can be repeated.
+        if (drawn_ >= command_.warmup)
+            tour_seconds_ += command_.reproducible() ? 1 / 60.0 : frame_seconds_;
+    }
+    if (command_.weather.follow != 0) {
+        const glm::vec3 eye = camera_.eye();
+        for (snow::Emitter& cloud : command_.weather.emitters)
+            cloud.centre = {eye.x, cloud.centre.y, eye.z};
+    }
+}
+
+bool Harness::next_tick()
+{
+    using std::chrono::milliseconds;
+    if (ticks_ >= due_) return false;
+    // However many steps a frame makes, the user is not kept waiting: not for the GPU, which might
+    // be as many steps behind; and where the clock says how many, they end after a while.
+    if (ticks_ > 0 && ticks_ % 8 == 0) glFinish();
+    const Clock::time_point now = Clock::now();
+    if (now - last_events_ >= milliseconds(100)) {
+        last_events_ = now;
+        take_events();
+        if (interrupted) close();
+    }
+    const bool late = !command_.reproducible() && now - last_frame_ > milliseconds(50);
+    if (is_closing() || (late && ticks_ > 0)) return false;
+    ++ticks_;
+    return true;
+}
+
+void Harness::save_frame()
+{
+    if (interrupted) close();
+    const bool last = is_closing() || enough();
+    const bool asked = std::exchange(controls_.save_picture, false);
+    const bool counts = drawn_ > command_.warmup;
+    std::vector<std::filesystem::path> paths;
+    if (last && !command_.screenshot.empty()) paths.push_back(command_.screenshot);
+    if (counts && !command_.record.empty()) {
+        char name[32];
+        std::snprintf(name, sizeof name, "%06llu.png",
+                      static_cast<unsigned long long>(drawn_ - command_.warmup));
+        paths.push_back(command_.record / name);
+    }
+    if (paths.empty() && !asked) return;
+    attempt([&] {
+        const std::string png = png_of_back_buffer(size());
+        for (const std::filesystem::path& path : paths) write_file(path, png);
+        // Where this one cannot be written it is no reason to end the run and lose its results.
+        if (asked) attempt([&] { write_file(command_.lesson.name + ".png", png); }, false);
+    });
+}
+
+void Harness::draw_panel()
+{
+    if (!show_panel_) return;
+    const Stage stage(*this, "panel");
+    if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
+    panel_->draw(size(), command_, controls_, timer_.frames(), renderer_name());
+}
+
+void Harness::frame_is_shown()
+{
+    const Clock::time_point now = Clock::now();
+    timer_.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count(),
+                     measuring() ? SIZE_MAX : 300);
+    last_swap_ = now;
+    if (!command_.reproducible()) show_frame_time();
 }
 
 void Harness::show_frame_time()
@@ -161,113 +220,113 @@ void Harness::show_frame_time()
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - last_title_).count();
     if (seconds < 0.5) return;
-    const uint64_t frames = drawn_ - drawn_at_last_title_;
+    const double frames = double(drawn_ - drawn_at_last_title_);
     char title[128];
     std::snprintf(title, sizeof title, "%s %s   %.2f ms a frame, %.0f fps",
-                  command.lesson.name.c_str(), command.variant.c_str(),
-                  1000 * seconds / double(frames), double(frames) / seconds);
+                  command_.lesson.name.c_str(), command_.variant.c_str(), 1000 * seconds / frames,
+                  frames / seconds);
     set_title(title);
     last_title_ = now;
     drawn_at_last_title_ = drawn_;
 }
 
-// A panel that is hidden listens, too, or it would take a key for one held down that was let go
-// meanwhile.
-void Harness::let_panel_listen()
+void Harness::report()
 {
-    glutKeyboardUpFunc([](unsigned char key, int x, int y) {
-        if (ImGui::GetCurrentContext() != nullptr) ImGui_ImplGLUT_KeyboardUpFunc(key, x, y);
-    });
-    glutSpecialFunc([](int key, int x, int y) {
-        if (ImGui::GetCurrentContext() != nullptr) ImGui_ImplGLUT_SpecialFunc(key, x, y);
-    });
-    glutSpecialUpFunc([](int key, int x, int y) {
-        if (ImGui::GetCurrentContext() != nullptr) ImGui_ImplGLUT_SpecialUpFunc(key, x, y);
-    });
-}
-
-bool Harness::panel_takes_key(unsigned char key, int x, int y)
-{
-    if (!show_panel_ || panel_ == nullptr) return false;
-    ImGui_ImplGLUT_KeyboardFunc(key, x, y);
-    return panel_->wants_keys();  // a number is being typed into a slider
-}
-
-bool Harness::panel_takes_button(int button, int state, int x, int y)
-{
-    if (!show_panel_ || panel_ == nullptr) return false;
-    if (button == wheel_up || button == wheel_down) {
-        if (state == GLUT_DOWN) ImGui_ImplGLUT_MouseWheelFunc(0, button == wheel_up ? 1 : -1, x, y);
-    } else {
-        ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    if (!measuring()) return;
+    timer_.finish();
+    if (command_.benchmark) {
+        print_summary(timer_.frames());
+        const uint64_t asked = uint64_t(*command_.frames) + command_.warmup;
+        if (drawn_ < asked) {
+            std::cout << "benchmark: cut short after " << drawn_ << " of " << asked
+                      << " frames, warm-up included" << std::endl;
+        }
     }
-    panel_->set_control_key((glutGetModifiers() & GLUT_ACTIVE_CTRL) != 0);  // it types a number
-    return panel_->wants_mouse();
+    if (command_.csv.empty()) return;
+    attempt([&] {
+        write_file(command_.csv, csv_of(timer_.frames(), command_, size(), renderer_name()));
+    });
 }
 
-void Harness::panel_sees_mouse(int x, int y)
+void Harness::stand_on(const Terrain& terrain)
 {
-    if (panel_ != nullptr) ImGui_ImplGLUT_MotionFunc(x, y);
+    terrain_ = terrain;
+    // Clouds hang as high above it as elsewhere above y = 0: see step05_collision/terrain.glsl.
+    // From the first frame on: flakes that wait for their birth do so where they always do.
+    raise_world_by_ = terrain.highest({0, 0}, terrain.half_size);
 }
 
-void Harness::on_key(unsigned char key)
+void Harness::dump(const std::vector<snow::Particle>& flakes)
 {
+    if (!command_.dump.empty()) attempt([&] { write_dump(command_.dump, flakes); });
+}
+
+// Does something without which the rest goes on: a failure is told, and remembered if it matters.
+void Harness::attempt(const std::function<void()>& action, bool matters)
+try {
+    action();
+} catch (const std::runtime_error& failure) {
+    std::cerr << (matters ? "error: " : "warning: ") << failure.what() << std::endl;
+    failed_ |= matters;
+}
+
+void Harness::press_key(unsigned char key, int x, int y)
+{
+    constexpr unsigned char escape = 27;
+    if (show_panel_ && panel_ != nullptr && panel_->press_key(key, x, y)) return;
     switch (std::tolower(key)) {
+    case escape:
+        close();
+        break;
+    case 'c':
+        camera_ = command_.camera;
+        touring_ = false;
+        break;
     case 'h':
         show_panel_ = !show_panel_;
         if (panel_ != nullptr) panel_->let_go();
         break;
     case ' ':
-        controls.paused = !controls.paused;
+        controls_.paused = !controls_.paused;
         break;
     case 'r':
-        controls.restart = true;
+        controls_.restart = true;
         break;
     case 's':
-        controls.save_picture = true;
+        controls_.save_picture = true;
         break;
     case 't':
-        controls.touring = !controls.touring;
+        touring_ = !touring_;
         break;
     default:
-        for (const snow::Parameter& parameter : command.parameters()) {
+        for (const snow::Parameter& parameter : command_.parameters()) {
             if (parameter.key != 0 && std::toupper(key) == parameter.key)
                 parameter.set(1 - parameter.get());
         }
-        break;
     }
 }
 
-// ---- What the window does no more than hand on.
-
-StageTimer Window::stage(const char* name)
+bool Harness::press_button(int button, int state, int x, int y)
 {
-    return StageTimer(harness_->timer.open() ? &harness_->timer : nullptr, name);
+    return show_panel_ && panel_ != nullptr && panel_->press_button(button, state, x, y);
 }
 
-int Window::ticks() const
+void Harness::move_mouse(int x, int y)
 {
-    return harness_->pacing.ticks();
+    if (panel_ != nullptr) panel_->move_mouse(x, y);
 }
 
-double Window::frame_seconds() const
-{
-    return harness_->frame_seconds;
-}
-
-void Window::stand_on(const Terrain& terrain)
-{
-    harness_->terrain = terrain;
-    // Clouds hang as high above it as elsewhere above y = 0: see step05_collision/terrain.glsl.
-    harness_->command.weather.world_max.y += terrain.highest({0, 0}, terrain.half_size);
-}
-
-void Window::note(const std::string& line)
-{
-    harness_->controls.note = line;
-}
-
-void Window::dump(const std::vector<snow::Particle>& flakes) const
-{
-    harness_->attempt([&] { dump_flakes(harness_->command.dump, flakes); });
+int run_lesson(int argc, char** argv, const Lesson& lesson)
+try {
+    report_glut_errors();
+    Harness window(parse_command_line(argc, argv, lesson));
+    do window.options().chosen().run(window);
+    while (window.restarted());
+    return window.failed() ? 1 : 0;
+} catch (const std::bad_alloc&) {
+    std::cerr << "error: not enough memory (try fewer --particles or --voxels)" << std::endl;
+    return 1;
+} catch (const std::exception& failure) {
+    std::cerr << "error: " << failure.what() << std::endl;
+    return 1;
 }

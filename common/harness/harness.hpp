@@ -1,5 +1,5 @@
-// What watches a run from outside: it paces, measures, records and steers it, and draws the panel.
-// None of it is part of any lesson.
+// The window with all that watches a run from outside: it paces, measures, records and steers it.
+// None of it belongs to any lesson.
 #pragma once
 
 #include <chrono>
@@ -9,76 +9,68 @@
 #include <optional>
 #include <string>
 
-#include "common/harness/controls.hpp"
 #include "common/harness/options.hpp"
-#include "common/harness/pacing.hpp"
 #include "common/harness/panel.hpp"
-#include "common/harness/terrain.hpp"
-#include "common/harness/timer.hpp"
+#include "common/harness/timing.hpp"
+#include "common/window.hpp"
 
-class Harness {
+class Harness : public Window {
 public:
-    explicit Harness(CommandLine command);
+    // Opens the window and says in one line what runs where. Throws std::runtime_error if this
+    // OpenGL is not enough for the lesson.
+    explicit Harness(CommandLine line);
 
-    // With an OpenGL context current: says in one line what runs where, and starts the clocks.
-    void begin_run();
+    bool restarted() override;
+    bool next_tick() override;
+    int ticks() const override { return ticks_; }
+    double frame_seconds() const override { return frame_seconds_; }
+    const CommandLine& options() const override { return command_; }
+    void stand_on(const Terrain& terrain) override;
+    void note(const std::string& line) override { controls_.note = line; }
+    void dump(const std::vector<snow::Particle>& flakes) override;
 
-    // Have the frames asked for been drawn?
-    bool enough() const;
-
-    // The moments of a frame: it begins; it is drawn, and can be saved; the panel is drawn over it;
-    // it was shown; or it was never shown, because its window has gone.
-    void begin_frame(Camera& camera);
-    void record(glm::ivec2 size, bool last);
-    void draw_panel(glm::ivec2 size);
-    void frame_shown();
-    void drop_frame() { timer.drop_frame(); }
-
-    // In a frame of many time steps: is it time to see what the user has done? Waits for the GPU
-    // then, or it might be as many steps behind.
-    bool events_are_due();
-
-    // After the last frame, or the last that there was time for: prints and writes what was
-    // measured.
-    void report(glm::ivec2 size);
-
-    // Hands the panel what only it has a use for: keys let go, and the special ones.
-    void let_panel_listen();
-
-    // Input, which belongs to the panel first. False: it is not for the panel.
-    bool panel_takes_key(unsigned char key, int x, int y);
-    static constexpr int wheel_up = 3, wheel_down = 4;  // X11's buttons, which freeglut passes on
-    bool panel_takes_button(int button, int state, int x, int y);
-    void panel_sees_mouse(int x, int y);
-
-    // A key that is neither for the panel nor for the window itself.
-    void on_key(unsigned char key);
-
-    // Does something without which the rest goes on: an error is told, and remembered.
-    void attempt(const std::function<void()>& action);
+    // Has an output not been written? A line on stderr has said so.
     bool failed() const { return failed_; }
-
-    CommandLine command;
-    FrameTimer timer;
-    Controls controls;
-    Pacing pacing;
-    double frame_seconds = 0;        // since the frame before
-    std::optional<Terrain> terrain;  // of a scene in its own metres
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    bool measuring() const { return command.benchmark || !command.csv.empty(); }
-    void show_frame_time();
-    void leave_off_what_is_costly();
+    bool frame_begins() override;
+    void begin_stage(const char* name) override { timer_.begin_stage(name); }
+    void end_stage() override { timer_.end_stage(); }
+    void save_frame() override;
+    void draw_panel() override;
+    void frame_is_shown() override;
+    void press_key(unsigned char key, int x, int y) override;
+    bool press_button(int button, int state, int x, int y) override;
+    void move_mouse(int x, int y) override;
 
+    bool measuring() const { return command_.benchmark || !command_.csv.empty(); }
+    bool enough() const;
+    void begin_run();
+    void leave_off_what_is_costly();
+    void pace();
+    void move_camera();
+    void show_frame_time();
+    void report();
+    void attempt(const std::function<void()>& action, bool matters = true);
+
+    CommandLine command_;
+    Controls controls_;
+    FrameTimer timer_;
     std::unique_ptr<Panel> panel_;
     bool show_panel_;
+    const char* vsync_ = "";
     bool failed_ = false;
-    double tour_time_ = 0;   // s since it began
-    bool software_ = false;  // no graphics card behind this OpenGL
-    uint64_t drawn_ = 0;     // frames, warm-up included, and those that another stood for
-    unsigned frames_in_last_ = 1;
-    Clock::time_point last_frame_, last_swap_, last_title_, last_events_;
+    std::optional<Terrain> terrain_;  // of a scene in its own metres
+    float raise_world_by_ = 0;        // m, in the next frame
+    double tour_seconds_ = 0;         // since it began
+
+    uint64_t drawn_ = 0;        // frames, warm-up included, and those that another stood for
+    unsigned stands_for_ = 1;   // frames, the one that is open or the last
+    int due_ = 0, ticks_ = 0;   // time steps that it is to make, and has made
+    double owed_seconds_ = 0;   // of physics that the clock is ahead
+    double frame_seconds_ = 0;  // since the frame before
+    Clock::time_point last_frame_, last_swap_, last_events_, last_title_;
     uint64_t drawn_at_last_title_ = 0;
 };

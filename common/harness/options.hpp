@@ -17,8 +17,8 @@ struct CommandLine : Options {
     Camera camera;                  // as it stands at the start
     bool tour = false;              // fly it through the courtyard
     bool vsync = false;
-    std::optional<unsigned> frames;  // stop after so many
-    unsigned warmup = 0;             // frames before the first that counts; see pacing.hpp
+    std::optional<unsigned> frames;  // to stop after
+    unsigned warmup = 0;             // frames before the first that counts; see harness.hpp
     bool realtime = false;  // steps follow the clock even when --frames, --dump ... are given
     bool benchmark = false;
     std::filesystem::path screenshot, dump, csv;

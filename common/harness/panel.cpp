@@ -9,8 +9,7 @@
 #include <imgui_impl_glut.h>
 #include <imgui_impl_opengl2.h>
 
-#include "common/harness/benchmark.hpp"
-#include "common/harness/process.hpp"
+#include "common/harness/driver.hpp"
 
 namespace {
 
@@ -40,16 +39,9 @@ void draw_times(const std::deque<FrameTime>& frames)
     ImGui::PlotLines("##frames", plot.data(), int(plot.size()), 0, nullptr, 0,
                      float(std::max(2 * median, p95)),
                      ImVec2(ImGui::GetContentRegionAvail().x, 4 * ImGui::GetFontSize()));
-    // The last frame whose GPU times have all arrived.
-    const auto whole = std::find_if(frames.rbegin(), frames.rend(), [](const FrameTime& frame) {
-        return !frame.stages.empty() && std::all_of(frame.stages.begin(), frame.stages.end(),
-                                                    [](const StageTime& s) { return s.gpu_ms; });
-    });
-    const FrameTime* frame = whole != frames.rend() ? &*whole
-                             : frames.empty()       ? nullptr
-                                                    : &frames.back();
-    if (frame == nullptr) return;
-    for (const StageTime& stage : frame->stages) {
+    if (frames.empty()) return;
+    const size_t behind = std::min<size_t>(frames.size(), 8);  // its GPU times have arrived by now
+    for (const StageTime& stage : frames[frames.size() - behind].stages) {
         const double gpu = stage.gpu_ms.value_or(0);
         char label[64];
         std::snprintf(label, sizeof label, "%s  cpu %.2f  gpu %.2f ms", stage.name.c_str(),
@@ -68,7 +60,8 @@ void draw_parameter(const snow::Parameter& parameter)
         char format[32];
         std::snprintf(format, sizeof format, "%%.3g %s", parameter.unit);
         ImGui::SliderFloat(parameter.label, std::get<float*>(parameter.value), parameter.minimum,
-                           parameter.maximum, format, ImGuiSliderFlags_Logarithmic);
+                           parameter.maximum, format,
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     }
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s\n--set %s=%g", parameter.meaning, parameter.name,
@@ -111,6 +104,10 @@ Panel::Panel()
     ImGui::GetStyle().ScaleAllSizes(scale);
     ImGui_ImplGLUT_Init();
     ImGui_ImplOpenGL2_Init();
+    // When it is hidden, too, or it would take a key for one held down that was let go meanwhile.
+    glutKeyboardUpFunc(ImGui_ImplGLUT_KeyboardUpFunc);
+    glutSpecialFunc(ImGui_ImplGLUT_SpecialFunc);
+    glutSpecialUpFunc(ImGui_ImplGLUT_SpecialUpFunc);
 }
 
 Panel::~Panel()
@@ -162,9 +159,10 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     ImGui::Separator();
     static int flakes = 0;  // as the slider stands; taken over when it is let go
     if (!ImGui::IsAnyItemActive()) flakes = int(command.weather.particles);
-    ImGui::SliderInt("flakes", &flakes, 0, 10'000'000, "%d", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderInt("flakes", &flakes, 0, 10'000'000, "%d",
+                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemDeactivatedAfterEdit()) {
-        command.weather.particles = unsigned(std::clamp(flakes, 0, int(snow::max_particles)));
+        command.weather.particles = unsigned(flakes);
         controls.restart = true;
     }
     const std::vector<Variant>& variants = command.lesson.variants;
@@ -190,22 +188,29 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     ImGui::End();
 }
 
-bool Panel::wants_mouse() const
+bool Panel::press_key(unsigned char key, int x, int y)
 {
-    return ImGui::GetIO().WantCaptureMouse;
-}
-bool Panel::wants_keys() const
-{
-    return ImGui::GetIO().WantTextInput;
+    ImGui_ImplGLUT_KeyboardFunc(key, x, y);
+    return ImGui::GetIO().WantTextInput;  // a number is being typed into a slider
 }
 
-void Panel::set_control_key(bool down)
+bool Panel::press_button(int button, int state, int x, int y)
 {
+    constexpr int wheel_up = 3, wheel_down = 4;  // as freeglut passes them on
+    if (button == wheel_up || button == wheel_down) {
+        if (state == GLUT_DOWN) ImGui_ImplGLUT_MouseWheelFunc(0, button == wheel_up ? 1 : -1, x, y);
+    } else {
+        ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    }
 #if IMGUI_VERSION_NUM < 18700  // from then on its GLUT backend sees to this
-    ImGui::GetIO().KeyCtrl = down;
-#else
-    (void)down;
+    ImGui::GetIO().KeyCtrl = (glutGetModifiers() & GLUT_ACTIVE_CTRL) != 0;
 #endif
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+void Panel::move_mouse(int x, int y)
+{
+    ImGui_ImplGLUT_MotionFunc(x, y);
 }
 
 void Panel::let_go()

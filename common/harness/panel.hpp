@@ -4,9 +4,17 @@
 #include <deque>
 #include <string>
 
-#include "common/harness/controls.hpp"
 #include "common/harness/options.hpp"
-#include "common/harness/timer.hpp"
+#include "common/harness/timing.hpp"
+
+// What a user may ask of the frame loop, by key or in the panel.
+struct Controls {
+    bool paused = false;
+    bool single_step = false;   // one time step, then pause again
+    bool restart = false;       // begin anew, with all buffers as large as they then need to be
+    bool save_picture = false;  // of the frame that is next
+    std::string note;           // the step's own line, for the panel
+};
 
 class Panel {
 public:
@@ -19,12 +27,10 @@ public:
     void draw(glm::ivec2 size, CommandLine& command, Controls& controls,
               const std::deque<FrameTime>& frames, const std::string& renderer);
 
-    // Does the mouse, or the keyboard, belong to the panel now?
-    bool wants_mouse() const;
-    bool wants_keys() const;
-
-    // Is Ctrl held down while the mouse is used?
-    void set_control_key(bool down);
+    // What the user does. True: it was for the panel.
+    bool press_key(unsigned char key, int x, int y);
+    bool press_button(int button, int state, int x, int y);
+    void move_mouse(int x, int y);
 
     // Forgets what is being dragged: the panel is hidden now.
     void let_go();

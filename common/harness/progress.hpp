@@ -2,18 +2,21 @@
 #pragma once
 
 #include <chrono>
-#include <exception>
-#include <iostream>
+#include <cstdio>
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
 
-// Says on stderr how far something is, every half second, if it takes longer than that.
+// Says how far something is, every half second, if it takes longer than that: on a terminal, and
+// leaves nothing there.
 class Progress {
 public:
     explicit Progress(const char* what) : what_(what) {}
     ~Progress()
     {
-        if (!reported_) return;
-        if (std::uncaught_exceptions() == 0) std::cerr << "\r" << what_ << " 100 %";
-        std::cerr << "\n";
+        if (reported_) std::fputs(clear_line, stderr);
     }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -23,12 +26,17 @@ public:
     void report(double done)  // 0 to 1
     {
         last_report_ = Clock::now();
-        reported_ = true;
-        std::cerr << "\r" << what_ << " " << int(100 * done) << " %" << std::flush;
+#ifdef _WIN32
+        reported_ = _isatty(2) != 0;
+#else
+        reported_ = isatty(2) != 0;
+#endif
+        if (reported_) std::fprintf(stderr, "%s%s %.0f %%", clear_line, what_, 100 * done);
     }
 
 private:
     using Clock = std::chrono::steady_clock;
+    static constexpr const char* clear_line = "\r\033[K";
     const char* what_;
     Clock::time_point last_report_ = Clock::now();
     bool reported_ = false;

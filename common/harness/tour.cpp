@@ -23,10 +23,10 @@ Pose tour(float seconds)
         {{7.6f, 2.6f, -1.6f}, {1.6f, 1.6f, -2.2f}},  // with the fountain and the tree behind
         {{8.4f, 3.0f, 4.2f}, {0.0f, 1.4f, 0.6f}},    // and back past the other table
     }};
-    const float place = std::fmod(seconds / tour_seconds, 1.0f) * count;
-    const float t = place - std::floor(place);
+    const float position = std::fmod(seconds / tour_seconds, 1.0f) * count;
+    const float t = position - std::floor(position);
     const auto point = [&](int ahead) -> const Pose& {
-        return points[size_t(int(place) + ahead + count) % count];
+        return points[size_t(int(position) + ahead + count) % count];
     };
     const auto spline = [&](vec3 Pose::*end) {
         const vec3 a = point(-1).*end, b = point(0).*end, c = point(1).*end, d = point(2).*end;
@@ -39,21 +39,21 @@ Pose tour(float seconds)
 
 namespace {
 
-// A place on the circle, as high above the terrain as keeps clear of it, and smooth: the mean over
-// some way before and behind of the highest around.
+// A position on the circle, as high above the terrain as keeps clear of it, and smooth: the mean
+// over some way before and behind of the highest around.
 glm::vec3 above(const Terrain& terrain, float radius, float turn)
 {
     constexpr int samples = 64;
     constexpr float clearance = 4, around = 8, smooth = 20;  // m
-    const auto place = [&](float angle) {
+    const auto position = [&](float angle) {
         return radius * glm::vec2(std::sin(angle), std::cos(angle));
     };
     float height = 0;
     for (int i = -samples; i <= samples; ++i) {
-        const float part = float(i) / samples;
-        height += terrain.highest(place(turn + part * smooth / radius), around);
+        const float fraction = float(i) / samples;
+        height += terrain.highest(position(turn + fraction * smooth / radius), around);
     }
-    const glm::vec2 here = place(turn);
+    const glm::vec2 here = position(turn);
     return {here.x, clearance + height / (2 * samples + 1), here.y};
 }
 

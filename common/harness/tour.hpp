@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-#include "common/harness/terrain.hpp"
+#include "common/terrain.hpp"
 
 // Where a camera is, and what it looks at.
 struct Pose {

@@ -1,21 +1,15 @@
-#include "common/harness/window_system.hpp"
+#include "common/harness/driver.hpp"
 
 #include <GL/glew.h>
 #ifdef _WIN32
 #include <GL/freeglut.h>
 #include <GL/wglew.h>
-#else
-#include <GL/glxew.h>  // in a file of its own: X11 has a type called Window, too
-#include <X11/Xatom.h>
-
-#include <cstring>
-#endif
-
-#ifdef _WIN32
+#define PSAPI_VERSION 2  // GetProcessMemoryInfo is in a library that every program has
+#include <psapi.h>
 
 namespace {
 
-void (*ask_for_the_end)() = nullptr;
+std::function<void()> ask_for_the_end;
 WNDPROC freeglut_procedure = nullptr;
 
 LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first, LPARAM second)
@@ -28,16 +22,11 @@ LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first, LPARA
 
 }  // namespace
 
-bool set_vsync(bool wait)
+const char* set_vsync(bool wait)
 {
-    if (!WGLEW_EXT_swap_control) return !wait;  // what cannot be set is off
-    return wglSwapIntervalEXT(wait ? 1 : 0) || !wait;
-}
-
-const char* vsync_state()
-{
-    if (!WGLEW_EXT_swap_control) return "off (not reported)";
-    return wglGetSwapIntervalEXT() != 0 ? "on" : "off";
+    if (!WGLEW_EXT_swap_control) return wait ? nullptr : "off (not reported)";
+    wglSwapIntervalEXT(wait ? 1 : 0);
+    return wait ? "on" : "off";
 }
 
 void set_title(const char* title)
@@ -46,7 +35,7 @@ void set_title(const char* title)
 }
 
 // freeglut would delete the context while the frame is still being drawn.
-void take_close_button(void (*ask)())
+void take_close_button(const std::function<void()>& ask)
 {
     ask_for_the_end = ask;
     freeglut_procedure =
@@ -54,29 +43,26 @@ void take_close_button(void (*ask)())
                                                    reinterpret_cast<LONG_PTR>(window_procedure)));
 }
 
-void release_context()
+double process_memory()
 {
-    wglMakeCurrent(nullptr, nullptr);
+    PROCESS_MEMORY_COUNTERS counters{};
+    GetProcessMemoryInfo(GetCurrentProcess(), &counters, sizeof counters);
+    return double(counters.WorkingSetSize) / (1 << 20);
 }
 
-#else  // X11
+#else
+#include <GL/glxew.h>  // in a file of its own: X11 has a type called Window, too
+#include <X11/Xatom.h>
+#include <unistd.h>
 
-bool set_vsync(bool wait)
+#include <cstring>
+#include <fstream>
+
+const char* set_vsync(bool wait)
 {
-    if (!GLXEW_EXT_swap_control) return !wait;  // what cannot be set is off
+    if (!GLXEW_EXT_swap_control) return wait ? nullptr : "off (not reported)";
     glXSwapIntervalEXT(glXGetCurrentDisplay(), glXGetCurrentDrawable(), wait ? 1 : 0);
-    return true;
-}
-
-const char* vsync_state()
-{
-    // Mesa's own way first: its software renderer crashes when asked in the other.
-    if (GLXEW_MESA_swap_control) return glXGetSwapIntervalMESA() != 0 ? "on" : "off";
-    if (!GLXEW_EXT_swap_control) return "off (not reported)";
-    unsigned interval = 0;
-    glXQueryDrawable(glXGetCurrentDisplay(), glXGetCurrentDrawable(), GLX_SWAP_INTERVAL_EXT,
-                     &interval);
-    return interval != 0 ? "on" : "off";
+    return wait ? "on" : "off";
 }
 
 // Not by glutSetWindowTitle: that of freeglut 3.8 ends the program (BadAtom in XDeleteProperty)
@@ -92,11 +78,13 @@ void set_title(const char* title)
                     reinterpret_cast<const unsigned char*>(title), int(std::strlen(title)));
 }
 
-void take_close_button(void (*)()) {}
+void take_close_button(const std::function<void()>&) {}
 
-void release_context()
+double process_memory()
 {
-    glXMakeCurrent(glXGetCurrentDisplay(), None, nullptr);
+    long pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return double(resident) * double(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
 #endif

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "common/harness/files.hpp"
+#include "common/files.hpp"
 
 namespace fs = std::filesystem;
 using glm::dvec3;

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "common/harness/terrain.hpp"
+#include "common/terrain.hpp"
 
 struct Vertex {
     glm::vec3 position;  // m, world space

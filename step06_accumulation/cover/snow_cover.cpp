@@ -9,7 +9,7 @@
 #include <string>
 
 #include "common/bindings.glsl"
-#include "common/harness/files.hpp"
+#include "common/harness/output.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/harness/files.hpp"
+#include "common/files.hpp"
 #include "common/harness/tour.hpp"
 #include "step05_collision/voxel_grid.hpp"
 

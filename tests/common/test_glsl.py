@@ -14,7 +14,7 @@ SHADERS = sorted(str(path.relative_to(ROOT)) for step in STEPS for path in files
 
 
 def assemble(name, seen):
-    """The source with its includes in place, each once, as common/harness/shader_source.cpp does it."""
+    """The source with its includes in place, each once, as common/program.cpp does it."""
     seen.add(name)
     lines = []
     for line in (ROOT / name).read_text().splitlines():

@@ -15,7 +15,7 @@ import pytest
 
 import driver
 from conftest import (PATIENCE, SMALL, STEPS, STEP_VARIANTS, Flakes, fails_with_one_line, small,
-                      wait_until, without_progress)
+                      wait_until)
 
 # Runs until it is closed, then leaves a dump: more frames than anyone waits for.
 FOREVER = ["--realtime", "--frames", 1000000000]
@@ -111,7 +111,7 @@ class OpenProgram:
 
     def ends_well(self):
         _, errors = self.process.communicate(timeout=PATIENCE)
-        assert (self.process.returncode, without_progress(errors)) == (0, "")
+        assert (self.process.returncode, errors) == (0, "")
 
 
 @pytest.fixture
@@ -184,33 +184,19 @@ def test_camera_stands_where_it_is_told_and_flies_the_same_way_twice(programs, t
     assert flight != picture("--frames", 30, "--tour")
 
 
+@pytest.mark.parametrize("end", ["Escape", "close button"])
 @pytest.mark.parametrize("step", STEPS)
-def test_escape_ends_it_and_the_files_asked_for_are_there(open_program, tmp_path, step):
-    program = open_program(step, *small(step), *FOREVER, "--dump", "flakes.csv",
-                           "--screenshot", "last.png")
-    program.press("Escape")
+def test_however_it_ends_the_files_asked_for_are_there(open_program, tmp_path, step, end):
+    """The window, and OpenGL with it, must not be gone before the flakes and the picture are read back."""
+    program = open_program(step, *small(step), *FOREVER, "--dump", "flakes.csv", "--screenshot", "last.png")
+    if end == "Escape":
+        program.press(end)
+    else:
+        program.press_close_button()
     program.ends_well()
     assert Flakes(tmp_path / "flakes.csv").airborne.any()
-    assert PIL.Image.open(tmp_path / "last.png").size == (64, 64)
-
-
-def test_a_closed_window_leaves_what_was_measured(open_program, tmp_path):
-    program = open_program("step02_vbo", *SMALL, *FOREVER, "--benchmark", "--warmup", 0,
-                           "--csv", "times.csv")
-    program.press_close_button()
-    out, err = program.process.communicate(timeout=PATIENCE)
-    assert (program.process.returncode, err) == (0, "")
-    assert "cut short" in out
-    assert len((tmp_path / "times.csv").read_text().splitlines()) > 1
-
-
-@pytest.mark.parametrize("step", STEPS)
-def test_close_button_ends_it_with_the_flakes_as_they_were(open_program, tmp_path, step):
-    """The window, and OpenGL with it, must not be gone before the flakes are read back."""
-    program = open_program(step, *small(step), *FOREVER, "--dump", "flakes.csv")
-    program.press_close_button()
-    program.ends_well()
-    assert Flakes(tmp_path / "flakes.csv").airborne.any()
+    picture = numpy.asarray(PIL.Image.open(tmp_path / "last.png").convert("RGB"))
+    assert picture.shape == (64, 64, 3) and (picture != picture[0, 0]).any()  # not the empty background
 
 
 @pytest.mark.parametrize("step, variant", [pair for pair in STEP_VARIANTS if pair[0] >= "step04"])
@@ -221,18 +207,6 @@ def test_a_context_that_is_lost_leaves_no_old_flakes(programs, tmp_path, step, v
     assert fails_with_one_line(result, 1, "cannot read back the flakes")
     assert "ledger" not in result.stdout
     assert list(tmp_path.iterdir()) == []
-
-
-def test_a_context_that_is_lost_leaves_no_black_picture(programs, tmp_path):
-    """The times of the frames before are there, and what the CPU has computed."""
-    result = programs.run("step01_cpu_points", *SMALL, "--particles", 100, "--frames", 9,
-                          "--screenshot", tmp_path / "last.png", "--dump", tmp_path / "flakes.csv",
-                          "--csv", tmp_path / "times.csv",
-                          environment=programs.preloaded("lose_context"))
-    assert fails_with_one_line(result, 1, "cannot read back the picture")
-    assert len(Flakes(tmp_path / "flakes.csv").age) == 100
-    assert programs.driver().partition(",")[0] in (tmp_path / "times.csv").read_text()
-    assert not (tmp_path / "last.png").exists()
 
 
 def test_the_title_shows_the_frame_time_without_glut(programs, open_program):
@@ -246,7 +220,7 @@ def test_the_title_shows_the_frame_time_without_glut(programs, open_program):
 
 @pytest.mark.parametrize("step", STEPS)
 def test_resizing(open_program, tmp_path, step):
-    """To a new size, seen in what the S key saves; to a single pixel and back."""
+    """To a new size, seen in what the S key saves; to a single pixel and back; and to none."""
     program = open_program(step, *small(step))
     picture = tmp_path / f"{step}.png"
 
@@ -257,28 +231,8 @@ def test_resizing(open_program, tmp_path, step):
     for size in ((300, 200), (1, 1), (120, 150)):
         program.xdotool("windowsize", program.window, *size)
         wait_until(lambda: saved_size() == size, f"a picture of {size}")
-    program.press("Escape")
-    program.ends_well()
-
-
-@pytest.mark.parametrize("step", STEPS)
-def test_minimising(open_program, step):
-    """A window manager minimises a window by unmapping it. Nothing is shown, and nothing breaks."""
-    program = open_program(step, *small(step))
-    program.xdotool("windowunmap", program.window)
+    program.xdotool("windowunmap", program.window)  # as a window manager minimises it
     program.wait_for_frames()
-    program.xdotool("windowmap", program.window)
-    program.wait_for_frames()
-    program.press("Escape")
-    program.ends_well()
-
-
-def test_the_number_of_frames_may_be_the_largest(open_program, tmp_path):
-    """With the warm-up it is more than 32 bits hold: it must not begin anew at 0."""
-    program = open_program("step01_cpu_points", *SMALL, "--realtime", "--frames", 2**32 - 1,
-                           "--warmup", 3)
-    for _ in range(5):
-        program.picture(tmp_path)
     program.press("Escape")
     program.ends_well()
 
@@ -307,8 +261,7 @@ def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     program.ends_well()
 
 
-# What ImGui's dark style paints the title bar of a window in use, and the knob of a slider.
-TITLE_BAR, KNOB = (41, 74, 122), (61, 133, 224)
+TITLE_BAR = (41, 74, 122)  # as ImGui's dark style paints that of a window in use
 
 
 def find(screen, colour):
@@ -353,43 +306,6 @@ def test_the_panel_lets_go_of_keys_and_of_the_mouse(open_program, tmp_path):
     program.ends_well()
 
 
-def test_the_wheel_over_the_panel_moves_the_panel(open_program, tmp_path):
-    """And not the camera: what lies below its end comes into view."""
-    program = open_program("step05_collision", "--size", "500x300", "--voxels", 32,
-                           "--particles", 0)
-    assert find(program.screen(tmp_path), KNOB) is None
-    program.point_at(100, 60)
-    before = program.picture(tmp_path)
-
-    def turned():
-        program.xdotool("click", 5)
-        return find(program.screen(tmp_path), KNOB)
-
-    wait_until(turned, "the slider of the flakes")
-    assert program.picture(tmp_path) == before
-    program.press("Escape")
-    program.ends_well()
-
-
-def test_a_number_is_typed_into_a_slider(open_program, tmp_path):
-    """With Ctrl and a click."""
-    program = open_program("step02_vbo", "--size", "1100x700", "--dump", "flakes.csv", *FOREVER)
-    program.point_at(60, find(program.screen(tmp_path), KNOB)[0] + 2)
-    program.picture(tmp_path)
-    program.xdotool("keydown", "ctrl", "mousedown", 1)
-    program.wait_for_frames()  # S would be typed, too
-    program.xdotool("mouseup", 1, "keyup", "ctrl")
-    for key in ("1", "2", "3", "Return"):
-        program.xdotool("keydown", key)
-        program.wait_for_frames()
-        program.xdotool("keyup", key)
-    program.press("Escape")
-    out, err = program.process.communicate(timeout=PATIENCE)
-    assert (program.process.returncode, err) == (0, "")
-    assert " 123 flakes of " in out
-    assert len(Flakes(tmp_path / "flakes.csv").age) == 123
-
-
 def test_keys(open_program, tmp_path):
     """H hides the panel and all it costs, space pauses, R begins anew."""
     program = open_program("step01_cpu_points", *small("step01_cpu_points"), "--csv", "times.csv")
@@ -429,29 +345,6 @@ def test_a_picture_that_cannot_be_saved_ends_nothing(open_program, tmp_path):
     assert Flakes(tmp_path / "flakes.csv").airborne.any()
 
 
-def test_a_key_without_a_meaning_changes_nothing(open_program, tmp_path):
-    """Ctrl+Space has the code 0, as have settings without a key of their own."""
-    step = "step06_accumulation"
-    program = open_program(step, "--size", "160x90", "--voxels", 32, "--particles", 0)
-    program.press("h")  # the panel shows times, which change
-    program.press("space")  # the air grows thicker
-    program.picture(tmp_path)
-    before = program.picture(tmp_path)
-    program.press("ctrl+space")
-    program.picture(tmp_path)
-    assert program.picture(tmp_path) == before
-    program.press("Escape")
-    program.ends_well()
-
-
-def test_the_close_button_leaves_the_last_picture(open_program, tmp_path):
-    program = open_program("step02_vbo", *SMALL, *FOREVER, "--screenshot", "last.png")
-    program.press_close_button()
-    program.ends_well()
-    picture = numpy.asarray(PIL.Image.open(tmp_path / "last.png").convert("RGB"))
-    assert picture.shape == (64, 64, 3) and (picture != picture[0, 0]).any()  # not the empty background
-
-
 def test_panel_changes_flakes_and_variant(open_program, tmp_path):
     """Clicks down a column that crosses the slider of the flakes and the second variant's button."""
     program = open_program("step02_vbo", "--size", "1100x700", "--dump", "flakes.csv", *FOREVER)
@@ -469,12 +362,6 @@ def test_panel_changes_flakes_and_variant(open_program, tmp_path):
     variants, counts = zip(*runs)
     assert variants[-1] == "orphan" and counts[-1] != "20000"
     assert len(Flakes(tmp_path / "flakes.csv").age) == int(counts[-1])
-
-
-@pytest.mark.parametrize("step", STEPS)
-def test_one_pixel(programs, tmp_path, step):
-    programs.run_well(step, "--size", "1x1", "--frames", 3, "--screenshot", tmp_path / "pixel.png")
-    assert PIL.Image.open(tmp_path / "pixel.png").size == (1, 1)
 
 
 @pytest.mark.parametrize("step", STEPS)

@@ -2,8 +2,9 @@
 // names does a program understand? For build.sh, which runs it where Windows is none but Wine.
 #include <iostream>
 
-#include "common/harness/files.hpp"
+#include "common/files.hpp"
 #include "common/harness/options.hpp"
+#include "common/harness/output.hpp"
 #include "common/scene/scene.hpp"
 
 int main(int argc, char** argv)

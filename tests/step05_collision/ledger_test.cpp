@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bindings.glsl"
-#include "common/harness/options.hpp"
+#include "common/harness/harness.hpp"
 #include "common/program.hpp"
 #include "common/window.hpp"
 
@@ -24,7 +24,7 @@ CommandLine command()
 
 TEST(Ledger, CountsOnWhereAWordIsFull)
 {
-    const Window window{command()};
+    const Harness window{command()};
     const Ledger ledger;
     ledger.bind();
     // Each number stands some counts before the end of its low word, or of its third.

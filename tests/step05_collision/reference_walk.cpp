@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "common/harness/dump.hpp"
 #include "common/harness/options.hpp"
+#include "common/harness/output.hpp"
 #include "common/scene/scene.hpp"
 #include "step05_collision/voxel_grid.hpp"
 
@@ -48,7 +48,7 @@ try {
             flakes[i] = one_step(flakes[i], i, step, options.weather);
         }
     }
-    dump_flakes(options.dump, flakes);
+    write_dump(options.dump, flakes);
 
     std::ofstream file(options.dump.string() + ".voxels", std::ios::binary);
     const auto write = [&](const void* data, size_t bytes) {

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "common/harness/files.hpp"
-#include "common/harness/options.hpp"
+#include "common/files.hpp"
+#include "common/harness/harness.hpp"
 #include "common/window.hpp"
 #include "step05_collision/triangle_box.hpp"
 
@@ -87,7 +87,7 @@ Scene triangle_soup(unsigned seed, int triangles, float size)  // m
 
 TEST(VoxeliserOnTheGpu, DiffersInVoxelsThatAreOnlyTouched)
 {
-    const Window window{command()};
+    const Harness window{command()};
     const double rounding = 1e-3;  // of the voxels; what is drawn on their faces, as walls are, may
                                    // come to lie on either side
     EXPECT_LE(share_that_differs(load_scene(find_file("common/assets/courtyard.obj"), 'y'), 128),

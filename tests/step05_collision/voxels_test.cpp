@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "common/harness/files.hpp"
+#include "common/files.hpp"
 #include "common/weather.hpp"
 #include "step05_collision/triangle_box.hpp"
 #include "step05_collision/voxel_grid.hpp"

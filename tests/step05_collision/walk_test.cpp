@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "common/harness/options.hpp"
+#include "common/harness/harness.hpp"
 #include "common/uniform_block.hpp"
 #include "common/weather.hpp"
 #include "common/window.hpp"
@@ -132,7 +132,7 @@ protected:
     std::mt19937 generator{1};
     VoxelGrid grid{};
     const snow::Weather weather = snow::make_weather("snow", 1, 1);
-    Window window{command()};
+    Harness window{command()};
     Program program{{{GL_COMPUTE_SHADER, "tests/step05_collision/collide_ways.comp"}}};
 };
 

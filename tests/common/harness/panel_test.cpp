@@ -9,46 +9,55 @@ namespace {
 bool a_switch = true;
 float a_number = 5;
 
-std::vector<snow::Parameter> own_parameters()
-{
-    return {{"a_switch", "a switch", "on/off", 0, 1, "a test", &a_switch, 'W', "Own"},
-            {"a_number", "a number", "m", 0, 10, "a test", &a_number, 0, "Own"}};
-}
+// The panel on a screen of that size, pixels, for a variant of two.
+class PanelOnScreen {
+public:
+    PanelOnScreen(const char* variant, ImVec2 screen, bool unfolded) : unfolded_(unfolded)
+    {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = screen;
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+        command.lesson.name = "panel";
+        command.lesson.variants = {
+            {"plain", nullptr},
+            {"fancy",
+             nullptr,
+             {{"a_switch", "a switch", "on/off", 0, 1, "a test", &a_switch, 'W', "Own"},
+              {"a_number", "a number", "m", 0, 10, "a test", &a_number, 0, "Own"}}}};
+        command.variant = variant;
+        command.weather = snow::make_weather("snow", 100, 1);
+        controls.note = "a note";
+        for (int frame = 0; frame < 4; ++frame) draw();  // its size follows from the frames before
+    }
+    ~PanelOnScreen() { ImGui::DestroyContext(); }
 
-// What there is on a screen of that size, pixels, for a variant of two.
-ImVec2 size_for(const char* variant, ImVec2 screen, bool unfolded)
-{
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = screen;
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-
-    CommandLine command;
-    command.lesson.name = "panel";
-    command.lesson.variants = {{"plain", nullptr}, {"fancy", nullptr, own_parameters()}};
-    command.variant = variant;
-    command.weather = snow::make_weather("snow", 100, 1);
-    Controls controls;
-    controls.note = "a note";
-    const std::deque<FrameTime> frames = {{10, false, {{"update", 2, 3.0}}}};
-    ImVec2 result;
-    for (int frame = 0; frame < 4; ++frame) {  // its size follows from the frames before
+    void draw()
+    {
         ImGui::NewFrame();
-        lay_out_panel(command, controls, frames, "no renderer");
+        lay_out_panel(command, controls, {{10, false, {{"update", 2, 3.0}}}}, "no renderer");
         ImGui::Begin("panel");
-        result = ImGui::GetWindowSize();
+        size = ImGui::GetWindowSize();
         for (const snow::Parameter& parameter : command.parameters())
-            ImGui::GetStateStorage()->SetInt(ImGui::GetID(parameter.heading), unfolded);
+            ImGui::GetStateStorage()->SetInt(ImGui::GetID(parameter.heading), unfolded_);
         ImGui::End();
         ImGui::Render();
     }
-    ImGui::DestroyContext();
-    EXPECT_FALSE(controls.restart);
-    EXPECT_EQ(command.weather.particles, 100u);
-    return result;
+
+    CommandLine command;
+    Controls controls;
+    ImVec2 size;
+
+private:
+    bool unfolded_;
+};
+
+ImVec2 size_for(const char* variant, ImVec2 screen, bool unfolded)
+{
+    return PanelOnScreen(variant, screen, unfolded).size;
 }
 
 const ImVec2 large(2000, 2000);
@@ -71,4 +80,35 @@ TEST(Panel, LeavesTwoThirdsOfTheWindowToThePicture)
         EXPECT_LT(panel.x, screen.x);
         EXPECT_LT(panel.y, screen.y);
     }
+}
+
+// With Ctrl and a click a number can be typed into a slider: here into each, from top to bottom.
+TEST(Panel, SlidersTakeNoNumberBeyondTheirEnds)
+{
+    PanelOnScreen panel("fancy", large, true);
+    ImGuiIO& io = ImGui::GetIO();
+    const auto use_mouse = [&](bool down, bool control) {
+        io.MouseDown[0] = down;
+        io.KeyCtrl = control;
+        panel.draw();
+    };
+    for (float y = 10; y < 10 + panel.size.y; y += 6) {
+        io.MousePos = ImVec2(80, y);
+        use_mouse(false, true);
+        use_mouse(true, true);
+        use_mouse(false, false);
+        if (io.WantTextInput) io.AddInputCharactersUTF8("1e9");
+        panel.draw();
+        io.MousePos = ImVec2(1900, 1900);  // and elsewhere: the number is taken
+        use_mouse(true, false);
+        use_mouse(false, false);
+    }
+    int at_their_ends = 0;
+    for (const snow::Parameter& parameter : panel.command.parameters()) {
+        EXPECT_GE(parameter.get(), parameter.minimum) << parameter.name;
+        EXPECT_LE(parameter.get(), parameter.maximum) << parameter.name;
+        at_their_ends += !parameter.is_switch() && parameter.get() == parameter.maximum;
+    }
+    EXPECT_GE(at_their_ends, 10);
+    EXPECT_LE(panel.command.weather.particles, 10'000'000u);
 }

@@ -1,7 +1,7 @@
 // For tests that need a window, and OpenGL with it.
 #pragma once
 
-#include "common/harness/options.hpp"
+#include "common/harness/harness.hpp"
 
 // What the command line would be of a program of these snowflakes in 64 x 64 pixels.
 inline CommandLine small_window(double minimum_gl, unsigned flakes = 7)

@@ -78,6 +78,13 @@ def test_a_warm_up_ends_where_as_many_frames_would(programs, tmp_path, step):
     assert warmed_up == programs.dump(*run, "--frames", 302)
 
 
+def test_programs_and_comparison_know_the_same_software_renderers():
+    """Of each list the words after the one that both have."""
+    lists = [re.search(r'"llvmpipe", [^})]*', (ROOT / "common" / path).read_text())[0]
+             for path in ("harness/driver.cpp", "compare/compare.py")]
+    assert len({tuple(sorted(re.findall(r'"([\w ]+)"', words))) for words in lists}) == 1
+
+
 def test_a_benchmark_does_not_wait_for_the_display(programs):
     result = programs.run("step01_cpu_points", "--benchmark", "--vsync")
     assert result.returncode == 2 and "--vsync" in result.stderr

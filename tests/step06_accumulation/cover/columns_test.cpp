@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "common/harness/options.hpp"
+#include "common/harness/harness.hpp"
 #include "common/uniform_block.hpp"
 #include "common/window.hpp"
 #include "step06_accumulation/cover/snow_cover.hpp"
@@ -98,7 +98,7 @@ protected:
         return total;
     }
 
-    Window window{command()};
+    Harness window{command()};
     const double slope = std::tan(glm::radians(window.options().weather.repose));  // the steepest
     SolidScene solid{window};
     SnowCover cover{solid.grid.resolution};

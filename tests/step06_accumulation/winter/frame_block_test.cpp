@@ -23,7 +23,7 @@ CommandLine empty_scene()
 // frame before, and so are their streaks.
 TEST(FrameBlock, KeepsTheShutterInAFrameWithoutAStep)
 {
-    Window window(empty_scene());
+    Harness window(empty_scene());
     const SolidScene solid(window);
     FrameBlock block(solid);
     std::vector<float> shutters;

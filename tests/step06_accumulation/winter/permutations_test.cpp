@@ -9,7 +9,7 @@
 // An `if` in a shader is not enough: there are drivers that compute both of its sides.
 TEST(Permutations, HaveNotALineOfWhatIsOff)
 {
-    const Window window(small_window(4.3));
+    const Harness window(small_window(4.3));
     const std::string folder = "step06_accumulation/winter/surface/";
     Permutations all(
         {{GL_VERTEX_SHADER, folder + "bare.vert"}, {GL_FRAGMENT_SHADER, folder + "bare.frag"}},

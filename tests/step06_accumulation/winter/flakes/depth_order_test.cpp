@@ -18,7 +18,7 @@ TEST_P(DepthOrderOf, SortsThoseThatLive)
     command.lesson.has_scene = true;
     command.scene = "none";
     command.voxels = 32;
-    Window window(command);
+    Harness window(command);
     std::vector<snow::Particle> flakes = make_flakes(command.weather);
     for (unsigned i = 0; i < flakes.size(); ++i) flakes[i] = born(i, i % 3, command.weather);
     const ParticleBuffer particles(flakes);

@@ -1,7 +1,7 @@
 // How many triangles the winter's surface is drawn with, in a window of its own.
 #include <gtest/gtest.h>
 
-#include "common/harness/files.hpp"
+#include "common/files.hpp"
 #include "step06_accumulation/cover/columns.hpp"
 #include "step06_accumulation/winter/frame_block.hpp"
 #include "step06_accumulation/winter/surface/snow_surface.hpp"
@@ -16,7 +16,7 @@ TEST(Tessellation, DividesNothingWhereNoSnowLies)
     command.scene = find_file("common/assets/courtyard.obj");
     command.voxels = 128;  // so fine that there is something to divide
     command.frames = 1;
-    Window window(command);
+    Harness window(command);
     const SolidScene solid(window);
     const SnowCover cover(command.voxels);
     const Columns columns(solid, cover);

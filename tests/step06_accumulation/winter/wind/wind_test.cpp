@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/harness/files.hpp"
+#include "common/files.hpp"
 #include "step06_accumulation/winter/wind/wind_field.hpp"
 
 using glm::ivec3;

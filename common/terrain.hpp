@@ -10,11 +10,11 @@ class Terrain {
 public:
     float half_size = 1;  // m, from the middle to the edge; at least 1
 
-    // The square in which a place (x, z) lies, m, or the nearest.
-    glm::ivec2 square(glm::vec2 place) const
+    // The square in which a position (x, z) lies, m, or the nearest.
+    glm::ivec2 square(glm::vec2 position) const
     {
-        const glm::vec2 part = 0.5f + 0.5f * place / half_size;
-        return glm::clamp(glm::ivec2(glm::floor(part * float(squares))), 0, squares - 1);
+        const glm::vec2 uv = 0.5f + 0.5f * position / half_size;
+        return glm::clamp(glm::ivec2(glm::floor(uv * float(squares))), 0, squares - 1);
     }
     // The corner of least x and z of a square, m.
     glm::vec2 corner(glm::ivec2 square) const
@@ -27,10 +27,11 @@ public:
         known = std::max(known, height);
     }
 
-    // The highest of the scene within `around` m of a place along x and z; 0 if nothing is there.
-    float highest(glm::vec2 place, float around) const
+    // The highest of the scene within `around` m of a position along x and z; 0 if nothing is
+    // there.
+    float highest(glm::vec2 position, float around) const
     {
-        const glm::ivec2 first = square(place - around), last = square(place + around);
+        const glm::ivec2 first = square(position - around), last = square(position + around);
         float best = 0;
         for (int z = first.y; z <= last.y; ++z) {
             for (int x = first.x; x <= last.x; ++x)
@@ -41,7 +42,7 @@ public:
 
     static constexpr int squares = 128;  // along each edge
 
-    // Of each square, m: row by row along x, from the least z on.
+    // The height of each square, m: row by row along x, from the least z on.
     const std::vector<float>& heights() const { return heights_; }
 
 private:

@@ -1,5 +1,5 @@
-// How long a frame takes, and which of its stages takes how much of that, on the CPU and on the
-// GPU.
+// How long frames take, and which of their stages takes how much of that, on the CPU and on the
+// GPU: measured frame by frame, and summed up for the eye and for programs.
 #pragma once
 
 #include <GL/glew.h>
@@ -10,6 +10,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "common/harness/options.hpp"
 
 struct StageTime {
     std::string name;
@@ -23,49 +25,44 @@ struct FrameTime {
     std::vector<StageTime> stages;
 };
 
-// From one timestamp to another, ns. Some cards count with fewer than 64 bits, and begin anew after
-// a minute.
-GLuint64 nanoseconds_between(GLuint64 begin, GLuint64 end, GLint bits);
-
 class FrameTimer {
 public:
     // Opens a frame. Synchronised: the pipeline is emptied around every stage, which makes stages
     // comparable where a driver's queries are not, and frames slower.
     void begin_frame(bool synchronised);
-    void end_frame(double frame_ms);
-    void drop_frame();  // it never came to be shown
+    void end_frame(double frame_ms, size_t keep);  // and forgets all but the last of them
 
-    bool open() const { return open_; }
-
-    // Where StageTimer, which common/window.hpp declares, begins and ends a stage of the open
-    // frame. Stages do not nest: begin_stage throws std::logic_error if another is still running.
+    // Times a stage of the open frame; does nothing if none is open. Stages do not nest:
+    // begin_stage throws std::logic_error if another is still running.
     void begin_stage(const char* name);
     void end_stage();
 
-    // Forgets all but the last `count` frames.
-    void keep(size_t count);
-    void clear();
-
-    // Waits for the queries still under way. For the end, never in a frame.
+    // Forgets a frame that was never shown, and waits for the queries still under way. For the end,
+    // never in a frame.
     void finish();
 
     const std::deque<FrameTime>& frames() const { return frames_; }
 
-    // What timing one stage costs, ms, measured by timing a thousand empty ones.
-    static double cost_of_a_stage();
-
 private:
     struct Pending {  // a stage whose two timestamps have not arrived yet
         size_t frame, stage;
-        GLuint begin, end;
+        GLuint queries[2];  // at its begin and its end
     };
     void collect(bool wait);
-    GLuint take_query();
 
     std::deque<FrameTime> frames_;
     size_t forgotten_ = 0;  // frames before the first of frames_
     bool open_ = false, running_ = false;
     std::chrono::steady_clock::time_point stage_begin_;  // of the one that is running
     std::deque<Pending> pending_;
-    std::vector<GLuint> free_queries_;
 };
+
+// The value below which `fraction` (0 to 1) of the values lie; 0 if there are none.
+double quantile(std::vector<double> values, double fraction);
+
+// The table of --csv: one row a frame.
+std::string csv_of(const std::deque<FrameTime>& frames, const CommandLine& command, glm::ivec2 size,
+                   const std::string& renderer);
+
+// Prints median, p95 and worst percent of the frame times, and the median of each stage.
+void print_summary(const std::deque<FrameTime>& frames);
