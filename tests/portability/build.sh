@@ -121,7 +121,7 @@ with_mingw()
     "${compiler%g++}windres" "$root/common/harness/windows/utf8.rc" "$folder/utf8.o"
     $compiler -std=c++20 -O1 -static -DSNOWFALL_SOURCE_DIR='""' -I "$root" -isystem "$headers" \
         -DSTB_HAS_NO_LIBRARY "$root"/tests/portability/names.cpp \
-        "$root"/common/{files,gl_object,weather}.cpp "$root"/common/harness/{options,output,text}.cpp \
+        "$root"/common/{files,gl_object,weather}.cpp "$root"/common/harness/{options,output}.cpp \
         "$root"/common/scene/*.cpp "$folder/utf8.o" -lopengl32 -o "$folder/names.exe"
     cd "$folder"
     printf 'v 0 0 0\nv 1 0 0\nv 1 0 1\nmtllib Straße.mtl\nusemtl a\nvt 0 0\nf 1/1 2/1 3/1\n' >"Häuser.obj"
