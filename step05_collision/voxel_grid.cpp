@@ -89,8 +89,9 @@ VoxelGrid place_grid(const Scene& scene, int resolution)
     const vec3 size = maximum - minimum;
     VoxelGrid grid{};
     grid.resolution = resolution;
-    // One voxel of air on each side.
-    grid.cell_size = std::max({size.x, size.y, size.z}) / float(resolution - 2);
+    // One voxel of air on each side. What is smaller than a metre has no smaller ones: a flake
+    // would walk through thousands in a step.
+    grid.cell_size = std::max({size.x, size.y, size.z, 1.0f}) / float(resolution - 2);
     grid.origin = 0.5f * (minimum + maximum) - 0.5f * float(resolution) * grid.cell_size;
     // A floor at y = 0 is the upper side of the lowest voxels, so that flakes lie on it, not above
     // it.

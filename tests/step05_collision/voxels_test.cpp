@@ -308,3 +308,11 @@ TEST(VoxelGrid, HoldsWhatHasNothingBelowIt)
     EXPECT_LT(grid.origin.y, 0);
     EXPECT_TRUE(grid.solid(ivec3(floor((vec3(-0.5f, 5, 0) - grid.origin) / grid.cell_size))));
 }
+
+// Or a flake would walk through thousands of them in a step.
+TEST(VoxelGrid, OfSomethingTinyIsOfVoxelsAsLargeAsThatOfAMetre)
+{
+    Scene speck;
+    add_triangle(speck, {0, 0, 0}, {0, 0, 0.01f}, {0.01f, 0, 0});
+    EXPECT_FLOAT_EQ(place_grid(speck, 256).cell_size, 1.0f / 254);
+}
