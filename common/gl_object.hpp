@@ -75,8 +75,8 @@ inline void bind_texture(GLuint unit, GLenum target, GLuint texture)
 // or has met any other error since it was last asked.
 void check_memory(const char* what, double bytes);
 
-// To be called with a framebuffer bound that is complete now: throws std::runtime_error if this card
-// cannot draw to what is attached.
+// To be called with a framebuffer bound that is complete now: throws std::runtime_error if this
+// card cannot draw to what is attached.
 void check_framebuffer(const char* what);
 
 // To be called after reading back: throws std::runtime_error if OpenGL has not delivered.

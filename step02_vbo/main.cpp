@@ -49,8 +49,8 @@ void run(Window& window)
         {
             const auto stage = window.stage("draw");
             load_matrices(window);
-            // Positions lie sizeof(Particle) bytes apart in the buffer that is bound; if none is, at
-            // that address in our own memory.
+            // Positions lie sizeof(Particle) bytes apart in the buffer that is bound; if none is,
+            // at that address in our own memory.
             glBindBuffer(GL_ARRAY_BUFFER, arrays ? 0 : GLuint(buffer));
             glEnableClientState(GL_VERTEX_ARRAY);
             glVertexPointer(3, GL_FLOAT, sizeof(Particle), arrays ? flakes.data() : nullptr);

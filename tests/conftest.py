@@ -157,7 +157,6 @@ class Programs:
                                 capture_output=True, timeout=PATIENCE,
                                 **{"cwd": self.folder, **more})
         driver.skip_if_refused(self.config, result.returncode, result.stderr)
-        result.stderr = without_progress(result.stderr)
         return result
 
     def run_well(self, step, *arguments, **more):
@@ -205,11 +204,6 @@ def edited(programs):
     """For `with edited("stepNN_name/solutions/1.patch", build="stepNN_name") as programs:`."""
     from edited_copy import EditedCopy  # which imports this file
     return EditedCopy(programs.config, programs.folder)
-
-
-def without_progress(errors):
-    """On a busy machine a start may take long enough to say on stderr how far it is."""
-    return re.sub(r"(\n[a-z ]+ \d+ %)+\n", "", errors)  # Python reads \r as \n
 
 
 def fails_with_one_line(result, status, *words):
