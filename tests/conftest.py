@@ -4,7 +4,6 @@ import ctypes
 import functools
 import os
 import pathlib
-import re
 import subprocess
 import time
 
