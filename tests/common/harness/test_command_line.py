@@ -30,24 +30,6 @@ def test_a_scene_that_is_not_there(programs):
     assert fails_with_one_line(result, CANNOT_RUN, "moutains", "courtyard", "mountains", "none")
 
 
-def test_a_hint_that_nobody_takes_is_an_error(programs):
-    """Not all variants of step 2 call glBufferData."""
-    result = programs.run("step02_vbo", "--hint", "static", "--variant", "arrays", environment={"DISPLAY": None})
-    assert fails_with_one_line(result, BAD_USAGE, "--hint")
-
-
-@pytest.mark.parametrize("variant", ["subdata", "orphan", "soa"])
-@pytest.mark.parametrize("hint, usage", [("stream", 0x88E0), ("static", 0x88E4)])
-def test_a_hint_is_what_opengl_is_told(programs, variant, hint, usage):
-    """GL_STREAM_DRAW and so on, each time that the buffer gets storage: with "orphan" in each frame, too."""
-    flakes, frames = 500, 3
-    told = [numbers for name, *numbers in programs.calls(
-        "step02_vbo", "--variant", variant, "--hint", hint, "--particles", flakes, "--frames", frames)
-        if name == "glBufferData"]
-    array_buffer, size = 0x8892, flakes * (12 if variant == "soa" else 32)
-    assert told == [[array_buffer, size, usage]] * (1 + frames if variant == "orphan" else 1)
-
-
 @pytest.mark.parametrize("step", STEPS)
 def test_help(programs, step):
     result = programs.run(step, "--help", environment={"DISPLAY": None})
