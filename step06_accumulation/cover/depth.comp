@@ -5,7 +5,7 @@
 
 #include "step06_accumulation/cover/column.glsl"
 
-layout(rg16f, binding = DEPTH_IMAGE) uniform image3D snow_depth;  // m; and 1 where it is known, see snow_depth.glsl
+layout(rg16f, binding = DEPTH_IMAGE) uniform image3D snow_depth;  // see snow_depth.glsl
 
 const ivec3 up = ivec3(0, 1, 0);
 

@@ -2,7 +2,7 @@
 
 #include "step05_collision/grid.glsl"
 
-// Depth, m, on the surface nearest to each cell, and 1; both are 0 where there is none, within walls and in the air.
+// Red: depth, m, on the surface nearest to each cell. Green: 1. Within walls and in the air both are 0.
 layout(binding = DEPTH_UNIT) uniform sampler3D snow_depth;
 
 // m, at `point` of the scene. The card blends between cells: what is divided by the blend of the ones is a mean

@@ -1,6 +1,6 @@
 // What all shaders of the winter know of the frame: where it is seen from, and in what light. A uniform block
-// that FrameBlock fills; GLSL and C++, like common/snow.glsl. All colours are linear. Light is measured by what it
-// makes of a white surface that faces it: 1 is white paper in a bright room, snow in the sun is brighter.
+// that FrameBlock fills; GLSL and C++, like common/snow.glsl. All colours are linear. Light is measured by what
+// it makes of a white surface that faces it: 1 is white paper in a bright room, snow in the sun is brighter.
 
 struct Frame {
     mat4 view;           // world to eye space

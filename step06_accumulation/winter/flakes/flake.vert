@@ -27,7 +27,8 @@ vec3 light_on_flake(vec3 position)
     Spot spot = spot_at(position, vec3(0.0, 1.0, 0.0));
     float seen = 0.5;
 #ifdef OCCLUSION
-    ivec3 cells = textureSize(sky_visibility, 0), cell = ivec3(spot.in_grid * vec3(cells) + vec3(0.0, 1.0, 0.0));
+    ivec3 cells = textureSize(sky_visibility, 0);
+    ivec3 cell = ivec3(spot.in_grid * vec3(cells) + vec3(0.0, 1.0, 0.0));
     bool inside = all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, cells));
     if (inside) seen = 0.5 * texelFetch(sky_visibility, cell, 0).a;
 #endif

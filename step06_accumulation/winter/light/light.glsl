@@ -1,5 +1,5 @@
-// What the light of a winter's day makes of surfaces and flakes. SHADOW, OCCLUSION and LAMP are defined if there is
-// such a thing: see permutations.hpp.
+// What the light of a winter's day makes of surfaces and flakes. SHADOW, OCCLUSION and LAMP are defined if there
+// is such a thing: see permutations.hpp.
 
 #include "step05_collision/grid.glsl"
 #include "step06_accumulation/winter/frame.glsl"
@@ -55,8 +55,8 @@ vec4 sky_seen_from(Spot spot, vec3 normal)
 #endif
 }
 
-// Light from everywhere but the sun and the lamp. Where there is no sky there is ground, or walls, which are lit
-// as well as the sky is seen from here.
+// Light from everywhere but the sun and the lamp. Where there is no sky there is ground, or walls, which are
+// lit as well as the sky is seen from here.
 vec3 ambient_light(vec3 normal, Spot spot)
 {
     vec4 seen = sky_seen_from(spot, normal);

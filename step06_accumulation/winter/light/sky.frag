@@ -13,7 +13,8 @@ out vec4 colour;
 vec3 disc(vec3 direction)
 {
     const float radius = 0.0093;  // rad; for so small an angle 1 - cos is half its square
-    const float outer = 1.0 - 0.5 * 1.2 * 1.2 * radius * radius, inner = 1.0 - 0.5 * 0.8 * 0.8 * radius * radius;
+    const float outer = 1.0 - 0.5 * 1.2 * 1.2 * radius * radius;
+    const float inner = 1.0 - 0.5 * 0.8 * 0.8 * radius * radius;
     return 20.0 * smoothstep(outer, inner, dot(direction, frame.to_sun)) * frame.sun;
 }
 

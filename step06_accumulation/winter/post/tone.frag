@@ -1,5 +1,5 @@
 #version 430 core
-// The frame's light as colours of the screen, and around what is bright the glow that lens and eye make (BLOOM).
+// The frame's light as colours of the screen, and the glow that a lens makes around what is bright (BLOOM).
 
 #include "step06_accumulation/winter/frame.glsl"
 
@@ -19,8 +19,8 @@ vec3 for_screen(vec3 light)
     return (0.18 * root + x) / (1.0 + 0.1 * root + x);
 }
 
-// The light of the frame, spread wider and wider: half of it over some 4 pixels, a quarter over 8, and so on. A level
-// of the mipmaps is a blur by boxes; four lookups around make a tent of it.
+// The light of the frame, spread wider and wider: half of it over some 4 pixels, a quarter over 8, and so on.
+// A level of the mipmaps is a blur by boxes; four lookups around make a tent of it.
 vec3 spread_light()
 {
     vec3 sum = vec3(0.0);

@@ -14,7 +14,8 @@ out Corner control[];
 float edge_level(int a, int b)
 {
     vec3 from = corner[a].position, to = corner[b].position;
-    if (corner[a].displacement + corner[b].displacement == 0.0 || distance(from, to) <= frame.fine_enough) return 1.0;
+    bool stays = corner[a].displacement + corner[b].displacement == 0.0;
+    if (stays || distance(from, to) <= frame.fine_enough) return 1.0;
     vec3 middle = 0.5 * (from + to);
     // projection[1][1] is 1 / tan(half the field of view)
     float pixels_per_metre = 0.5 * float(frame.window_size.y) * frame.projection[1][1] /

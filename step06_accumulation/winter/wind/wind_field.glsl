@@ -3,9 +3,10 @@
 #include "common/weather_block.glsl"
 #include "step05_collision/grid.glsl"
 
-layout(binding = WIND_X_UNIT) uniform sampler3D wind_along_x;  // velocity of the air, m/s, for each m/s of wind along x ...
-layout(binding = WIND_Z_UNIT) uniform sampler3D wind_along_z;  // ... and along z
-uniform float gusts;             // largest change of the wind in a gust, relative
+// Velocity of the air, m/s, for each m/s of wind along x, and along z.
+layout(binding = WIND_X_UNIT) uniform sampler3D wind_along_x;
+layout(binding = WIND_Z_UNIT) uniform sampler3D wind_along_z;
+uniform float gusts;  // largest change of the wind in a gust, relative
 
 // m/s, at `position` at time step number `tick`. Gusts are two slow waves that rarely agree.
 vec3 wind_at(vec3 position, uint tick)
