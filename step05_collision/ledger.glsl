@@ -1,5 +1,6 @@
 // Counts what becomes of the flakes, in the order of the fields of Counts in ledger.cpp. Each number has two
 // words, the low one and its carries: with 50 million flakes the low one is full after some 20 minutes.
+// A vertex shader may run more than once for a vertex (OpenGL 4.6, 7.13.1), and would then count too much.
 
 #include "common/bindings.glsl"
 
