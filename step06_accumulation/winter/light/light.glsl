@@ -1,5 +1,5 @@
-// What the light of a winter's day makes of surfaces and flakes. SHADOW, OCCLUSION and LAMP are defined if there
-// is such a thing: see permutations.hpp.
+// What the light of a winter's day makes of surfaces and flakes. SHADOW, OCCLUSION and LAMP are defined if
+// there is such a thing: see permutations.hpp.
 
 #include "step05_collision/grid.glsl"
 #include "step06_accumulation/winter/frame.glsl"
