@@ -16,10 +16,8 @@ def blocks(folder, *languages):
     return re.findall(rf"^```(?:{'|'.join(languages)})\n(.*?)^```", chapter(folder), re.DOTALL | re.MULTILINE)
 
 
-def prose(folder):
-    """Without blocks and tables."""
-    text = re.sub(r"^```.*?^```", "", chapter(folder), flags=re.DOTALL | re.MULTILINE)
-    return re.sub(r"^(?:\|.*| {4,}\S.*)$", "", text, flags=re.MULTILINE)
+def without_listings(folder):
+    return re.sub(r"^```.*?^```", "", chapter(folder), flags=re.DOTALL | re.MULTILINE)
 
 
 def section(folder, heading):
