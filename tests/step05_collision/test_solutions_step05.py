@@ -25,14 +25,14 @@ def test_exercise_1_flakes_lie_in_the_air(programs, voxels, least, most):
     assert (above >= least).all() and (above <= most).all()
 
 
-@pytest.mark.parametrize("variant", ["voxels", "triangles"])
-@pytest.mark.parametrize("scene", [[], ["--scene", "none"]], ids=["courtyard", "none"])
-def test_exercise_2_times_can_be_measured(programs, variant, scene):
-    """How long it takes is up to the machine."""
-    result = programs.run(STEP, "--benchmark", "--particles", 1000, "--size", "64x64", "--variant", variant, *scene,
-                          "--voxels", 32, "--warmup", 3, "--frames", 3)
-    assert result.returncode == 0
-    assert re.search(r"^ +update +", result.stdout, re.MULTILINE)
+@pytest.mark.only_software("on a card the CPU does not wait for the flakes")
+def test_exercise_2_voxels_take_a_fraction_of_the_time(programs):
+    def update(variant):
+        """CPU time, ms: in software all of it."""
+        output = programs.run_well(STEP, "--benchmark", "--particles", 1000, "--size", "64x64", "--voxels", 32,
+                                   "--variant", variant, "--warmup", 300, "--frames", 5).stdout
+        return float(re.search(r"^ +update +cpu +([\d.]+)", output, re.MULTILINE)[1])
+    assert update("triangles") > 10 * update("voxels")
 
 
 def test_exercise_3_few_under_the_roof(programs):
@@ -68,7 +68,7 @@ def test_exercise_5_a_byte_a_voxel(programs, edited, tmp_path):
 
 def test_exercise_6_the_voxels_are_seen(programs, edited, tmp_path):
     def hides(there):
-        """Which pixels are not sky, before the first flake has come down so far."""
+        """Which pixels are not sky, before the first flake falls there."""
         path = tmp_path / "picture.png"
         result = there.run_well(STEP, "--voxels", 64, "--size", "640x360", "--frames", 2, "--screenshot", path)
         return abs(read(path) - numpy.array([0.30, 0.34, 0.42]) * 255).max(axis=2) > 3, result.stdout
