@@ -27,7 +27,7 @@ with tempfile.TemporaryDirectory() as folder:
                     "--record", folder], check=True)
     frames = sorted(pathlib.Path(folder).glob("*.png"))
     strip = PIL.Image.new("RGB", (len(MINUTES) * WIDTH, HEIGHT))
-    for place, minutes in enumerate(MINUTES):
+    for index, minutes in enumerate(MINUTES):
         frame = frames[max(60 * minutes // FRAME - 1, 0)]
-        strip.paste(PIL.Image.open(frame), (place * WIDTH, 0))
+        strip.paste(PIL.Image.open(frame), (index * WIDTH, 0))
 strip.quantize().save(pathlib.Path(__file__).parent / "strip.png", optimize=True)
