@@ -20,7 +20,7 @@ packages_of()
         # A display in memory, and OpenGL in software, for machines that have neither.
         headless) echo "xvfb xauth libgl1-mesa-dri" ;;
         # common/compare/compare.py.
-        compare) echo "python3 python3-matplotlib python3-tqdm" ;;
+        compare) echo "python3 python3-matplotlib python3-pandas python3-tqdm" ;;
         # The tests that call the code, and those that look at the pictures and press the keys.
         test) echo "libgtest-dev python3-pytest python3-numpy python3-pil" \
                    "xdotool glslang-tools git" ;;

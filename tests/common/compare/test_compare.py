@@ -1,8 +1,8 @@
-"""common/compare/compare.py, on the real programs and on made-up ones that break in every way a run can."""
+"""common/compare/compare.py, on the real programs and on made-up ones that fail as a run can."""
 
 import csv
 import os
-import pathlib
+import random
 import re
 import signal
 import stat
@@ -15,9 +15,12 @@ import pytest
 from conftest import PATIENCE, ROOT, STEPS
 
 COMPARE = ROOT / "common" / "compare" / "compare.py"
+sys.path.insert(0, str(COMPARE.parent))
+from points import Point, ratio  # noqa: E402
+
 EXPERIMENTS = ("loops hexagons threads arrays physics window-size point-size release-rate groups "
-               "timing-methods yardstick flakes-fixed-scene scene-triangles stage-share spawn-rate "
-               "feedback-or-compute voxeliser parts").split()
+               "timing-methods yardstick flakes-fixed-scene update-alone scene-triangles stage-share "
+               "spawn-rate feedback-or-compute voxeliser parts").split()
 
 # Stands in for a program. Its frame times follow from its arguments, what it does from the file
 # NAME.does beside it; it writes down each start in the file "starts".
@@ -27,11 +30,10 @@ me = pathlib.Path(sys.argv[0])
 parser = argparse.ArgumentParser(formatter_class=argparse.RawDescriptionHelpFormatter, epilog="""
   wind_x        0 m/s, wind towards +x
   fog           1 on/off, thicker with the snowfall
-  arrows        0 on/off, which way the wind blows
-  sparkle       1 on/off, now and then""")
+  arrows        0 on/off, which way the wind blows""")
 parser.add_argument("--benchmark", action="store_true", required=True)
-for name in ("csv particles size frames warmup variant scene groups point-size set voxels "
-             "voxeliser").split():
+parser.add_argument("--set", action="append", default=[])
+for name in "csv particles size frames warmup variant".split():
     parser.add_argument("--" + name)
 options = parser.parse_args()
 with open(me.with_name("starts"), "a") as file:
@@ -48,31 +50,21 @@ if does == "hang":
 renderer = "llvmpipe (LLVM 15, 256 bits)" if does != "hardware" else "Card, fast/PCIe"
 width, height = options.size.split("x")
 step = int(me.name[4:6])
-frame_ms = step * (1 + int(options.particles)) / 1000 - 4 * (options.set == "fog=0")
-known = (f"{me.name},{options.variant or 'plain'},{options.particles},{width},{height},"
-         f'"{renderer}"')
+frame_ms = step * (1 + int(options.particles)) / 1000 - 4 * ("fog=0" in options.set)
+known = f'{me.name},{options.variant or "plain"},{options.particles},{width},{height},"{renderer}"'
 with open(options.csv, "w") as file:
-    if does == "no renderer":
-        file.write("timing,frame_ms\nquery,1\n")
-        sys.exit()
+    if does == "words":
+        sys.exit(file.write("soon\n") and 0)
     file.write("step,variant,particles,width,height,renderer,frame,frame_ms,timing,"
                "update_cpu_ms,update_gpu_ms,draw_cpu_ms,draw_gpu_ms\n")
     if does == "empty":
         sys.exit()
-    if does == "columns":
-        file.write(f"{known},0,{frame_ms},clock,1,,,\n")
     if does != "hardware":
         for frame in range(3):  # slow frames, and not to be counted
             file.write(f"{known},{frame},{100 * frame_ms},finish,0.01,0.25,0.02,0.75\n")
     for frame in range(int(options.frames)):
-        if does == "malformed" and frame == 1:
-            file.write("step,what?\n")
-        if does == "words" and frame == 1:
-            file.write(f"{known},{frame},soon,query,,,,\n")
-        if does == "short" and frame == 2:
-            break
         gpu = "0.5" if does == "hardware" else ""
-        file.write(f"{known},{frame},{frame_ms + frame},query,0.125,{gpu},0.375,{gpu}\n")
+        file.write(f"{known},{frame},{frame_ms + frame},query,0.126,{gpu},0.376,{gpu}\n")
 '''
 
 
@@ -88,256 +80,163 @@ def fakes(tmp_path):
     return build
 
 
-@pytest.fixture(scope="session")
-def real_build(request):
-    given = request.config.getoption("build", default=None)
-    return pathlib.Path(given or os.environ.get("SNOWFALL_BUILD", ROOT / "build")).resolve()
+def command(build, *arguments):
+    """How compare.py is started: in the folder above `build`, so that it writes to comparison/ there."""
+    return {"args": [sys.executable, COMPARE, "--build", build, *map(str, arguments)],
+            "env": {"DISPLAY": ":0", **os.environ},  # or it would make one for the made-up programs
+            "cwd": build.parent, "text": True}
 
 
-@pytest.fixture(scope="session")
-def without(tmp_path_factory):
-    """without(module): what sets an environment in which Python does not find that module."""
-    def block(module):
-        folder = tmp_path_factory.mktemp("without")
-        (folder / f"{module}.py").write_text("raise ImportError('not installed')\n")
-        return {"PYTHONPATH": str(folder)}
-    return block
+def compare(build, *arguments):
+    return subprocess.run(**command(build, *arguments), capture_output=True, timeout=PATIENCE, check=False)
 
 
-@pytest.fixture(scope="session")
-def no_chart(without):
-    """The same for matplotlib, which takes a second that most tests need not wait for."""
-    return without("matplotlib")
+def frames_of(build, name="compare"):
+    with open(build.parent / "comparison" / f"{name}.csv", newline="") as file:
+        return [row for row in csv.DictReader(file) if row["stage"] == "frame"]
 
 
-def start(build, arguments, environment=None):
-    """Starts compare.py in the folder above `build`, so that it writes to comparison/ there."""
-    variables = {**os.environ, **(environment or {})}
-    variables.setdefault("DISPLAY", ":0")  # or it would look for one for the made-up programs
-    return subprocess.Popen(
-        [sys.executable, str(COMPARE), "--build", str(build), *map(str, arguments)],
-        cwd=build.parent, env=variables, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        # A shell that runs the tests in the background has them, and all they start, ignore Ctrl-C.
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-
-
-def compare(build, *arguments, environment=None):
-    """Runs it to its end."""
-    with start(build, arguments, environment) as process:
-        try:
-            said, complained = process.communicate(timeout=PATIENCE)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            raise
-    return subprocess.CompletedProcess(process.args, process.returncode, said, complained)
-
-
-def rows(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def frames_of(path):
-    return [row for row in rows(path) if row["stage"] == "frame"]
-
-
-def is_png(path):
-    return path.read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
+def page(build, name="compare"):
+    return (build.parent / "comparison" / f"{name}.md").read_text()
 
 
 def written(build):
     return sorted(path.name for path in (build.parent / "comparison").glob("*"))
 
 
-# ---- Made-up programs.
+def drifting(generator, programs, repeats):
+    """Points of programs with these times, on a machine that from one start to the next becomes some
+    3 % faster or slower, for good, and 2 % for that start alone."""
+    medians, speed = [{} for _ in programs], 1
+    for repeat in range(repeats):
+        order = range(len(programs))
+        for index in reversed(order) if repeat % 2 else order:
+            speed *= generator.gauss(1.003, 0.03)
+            medians[index][repeat] = programs[index] * speed * generator.gauss(1, 0.02)
+    return [Point("", "", times, 0, {}) for times in medians]
+
+
+@pytest.mark.parametrize("repeats", [2, 3, 5, 10])
+def test_one_program_does_not_differ_from_itself(repeats):
+    """In 19 of 20 trials, that is."""
+    generator = random.Random(1)
+    trials = [ratio(*drifting(generator, (7, 7), repeats)).is_sure for _ in range(4000)]
+    assert 0 < sum(trials) / len(trials) <= 0.05
+
+
+def test_programs_that_differ_do():
+    generator = random.Random(1)
+    trials = [ratio(*drifting(generator, (7, 14), 3)) for _ in range(1000)]
+    assert sum(trial.low <= 0.5 <= trial.high for trial in trials) >= 940
+    assert sum(trial.is_sure for trial in trials) > 950
+    assert re.fullmatch(r"0\.\d+ times as much \(0\.\d+ to 0\.\d+\)", str(trials[0]))
+    assert str(ratio(*drifting(generator, (7, 14), 1))) == "cannot tell"
+
 
 def test_numbers(fakes):
     result = compare(fakes, "--counts", "999,9999", "--frames", 21, "--repeats", 2)
     assert result.returncode == 0, result.stderr
     assert written(fakes) == ["compare.csv", "compare.md", "compare.png"]
-    folder = fakes.parent / "comparison"
-    assert is_png(folder / "compare.png")
-
-    frames = frames_of(folder / "compare.csv")
+    frames = frames_of(fakes)
     assert len(frames) == (6 + 1) * 2 * 2  # step 6 in both variants
     for row in frames:
         first = int(row["step"][4:6]) * (1 + int(row["particles"])) / 1000
-        assert float(row["median_ms"]) == pytest.approx(first + 10)
-        assert float(row["p95_ms"]) == pytest.approx(first + 19)  # 20th of 21
+        assert (float(row["median_ms"]), float(row["p95_ms"])) == pytest.approx((first + 10, first + 19))
         assert (row["frames"], row["clock"], row["x"]) == ("21", "swap", row["particles"])
-    stages = [row for row in rows(folder / "compare.csv") if row["stage"] != "frame"]
-    assert {(row["stage"], row["clock"], row["median_ms"]) for row in stages} == {
-        ("update", "finish", "0.2500"), ("draw", "finish", "0.7500")}
-
-    text = (folder / "compare.md").read_text()
-    assert "software rendering" in text and "llvmpipe" in text and "](compare.png)" in text
-    # Pooled over the repeats: median 12, p95 the 40th of 42; 12 ms are 83 fps, and 12/11 of step 1.
-    assert ("| step02_vbo | plain | 999 | 12.00 | 21.00 | 83 | ±0 % | 1.09 | +1.00 "
-            "| update 0.25, draw 0.75 |") in text
-
-
-def test_repeats_are_interleaved(fakes, no_chart):
-    compare(fakes, "--steps", "2,1", "--counts", "10,20", "--repeats", 2, "--frames", 3,
-            environment=no_chart)
-    once = [f"{step} {count}" for count in (10, 20) for step in STEPS[:2]]
-    assert (fakes / "starts").read_text().splitlines() == once * 2
+    assert "llvmpipe (LLVM 15, 256 bits) (software rendering)" in page(fakes)
+    # 12 ms are 83 fps, and 12/11 of step 1; what was timed until glFinish is what its stages take.
+    assert ("| step02_vbo | plain | 2 vbo | 999 | 12.00 | 21.00 | 83.3 | ±0 % | 1.09 (1.09 to 1.09) "
+            "| update 0.25, draw 0.75 |") in page(fakes)
+    # Every second repeat runs backwards; the first start asks what renders.
+    starts = (fakes / "starts").read_text().splitlines()[1:]
+    assert starts[14:] == starts[13::-1] and starts[0] == "step01_cpu_points 999"
 
 
 def test_processors_apart_on_a_graphics_card(fakes):
-    (fakes / f"{STEPS[0]}.does").write_text("hardware")
+    (fakes / STEPS[0]).with_suffix(".does").write_text("hardware")
     assert compare(fakes, "--steps", 1, "--counts", 10, "--frames", 3).returncode == 0
-    text = (fakes.parent / "comparison" / "compare.md").read_text()
-    assert "- Renderer: Card, fast/PCIe\n" in text
-    assert "CPU: update 0.12, draw 0.38; GPU: update 0.50, draw 0.50" in text
-
-
-def test_variants_come_on_top(fakes, no_chart):
-    compare(fakes, "--steps", 2, "--variants", "2:orphan,5:triangles", "--counts", 10,
-            environment=no_chart)
-    frames = frames_of(fakes.parent / "comparison" / "compare.csv")
-    assert {(row["step"], row["variant"]) for row in frames} == {
-        (STEPS[1], "plain"), (STEPS[1], "orphan"), (STEPS[4], "triangles")}
+    assert "- Card, fast/PCIe; " in page(fakes)
+    assert "CPU: update 0.13, draw 0.38; GPU: update 0.50, draw 0.50" in page(fakes)
 
 
 @pytest.mark.parametrize("does, says", [
-    ("refuse", "failed: step02_vbo: no such luck"),
-    ("crash", "failed: killed: Segmentation fault"),
-    ("malformed", "failed: malformed CSV, line 6"),
-    ("words", "failed: malformed CSV, line 6"),
-    ("columns", "failed: malformed CSV: no column or timing 'clock'"),
-    ("no renderer", "failed: malformed CSV: no column or timing 'variant'"),
-    ("empty", "failed: its CSV holds no frame times"),
-    ("hang", "failed: stopped after 5 s"),
-])
-def test_the_rest_go_on(fakes, no_chart, does, says):
+    ("refuse", "failed: step02_vbo: no such luck"), ("crash", "failed: exit status -11"),
+    ("words", "failed: no times: "), ("empty", "failed: no times: "),
+    ("hang", "failed: stopped after 5.0 s")])
+def test_the_rest_go_on(fakes, does, says):
     (fakes / "step02_vbo.does").write_text(does)
-    result = compare(fakes, "--steps", "1,2,3", "--counts", 10, "--repeats", 2, "--frames", 3,
-                     "--timeout", 5 if does == "hang" else 60, environment=no_chart)
+    result = compare(fakes, "--steps", "1,2", "--variants", "5:triangles", "--counts", 10, "--repeats", 2,
+                     "--frames", 3, "--timeout", 5 if does == "hang" else 60)
     assert result.returncode == 0
-    assert f"step02_vbo at 10 flakes {says}" in result.stderr
-    assert says in (fakes.parent / "comparison" / "compare.md").read_text()
-    frames = frames_of(fakes.parent / "comparison" / "compare.csv")
-    assert [row["step"] for row in frames] == [STEPS[0], STEPS[2]] * 2
+    assert f"2 vbo at 10 flakes {says}" in result.stderr and says in page(fakes)
+    assert [row["line"] for row in frames_of(fakes)] == ["1 cpu_points", *2 * ["5 triangles"],
+                                                         "1 cpu_points"]
     # What failed once is not tried again.
     assert (fakes / "starts").read_text().count("step02_vbo") == 1
 
 
-def test_a_run_cut_short_counts_and_is_named(fakes, no_chart):
-    (fakes / "step02_vbo.does").write_text("short")
-    assert compare(fakes, "--steps", 2, "--counts", 10, "--frames", 5,
-                   environment=no_chart).returncode == 0
-    text = (fakes.parent / "comparison" / "compare.md").read_text()
-    assert "step02_vbo at 10 flakes was cut short: 2 of 5 frames" in text
-
-
-def test_one_program_is_missing(fakes, no_chart):
-    (fakes / "step02_vbo").unlink()
-    result = compare(fakes, "--steps", "1,2", "--counts", 10, environment=no_chart)
-    assert result.returncode == 0
-    assert "step02_vbo at 10 flakes failed" in result.stderr
-    assert "common/run.sh" in result.stderr and "cmake -B build" in result.stderr
-
-
 def test_nothing_is_built(tmp_path):
     result = compare(tmp_path / "no such build")
-    assert result.returncode == 1
-    assert result.stderr.count("\n") == 1 and "cmake -B build" in result.stderr
-    assert not (tmp_path / "comparison").exists()
+    assert result.returncode == 1 and "common/run.sh" in result.stderr
 
 
-def test_nothing_can_be_measured(fakes):
-    (fakes / "step02_vbo.does").write_text("refuse")
-    result = compare(fakes, "--steps", 2, "--counts", 10)
-    assert result.returncode == 1
-    assert result.stderr.splitlines()[-1].endswith("nothing is written")
-    assert written(fakes) == []
-
-
-def test_nowhere_to_write(fakes):
-    (fakes.parent / "file").touch()
-    result = compare(fakes, "--out", fakes.parent / "file")
-    assert result.returncode == 1 and result.stderr.count("\n") == 1
-    assert not (fakes / "starts").exists()  # said before an hour of measuring, not after
-
-
-@pytest.mark.parametrize("module, left, says", [
-    ("matplotlib", ["compare.csv", "compare.md"], "without matplotlib there is no chart"),
-    ("tqdm", ["compare.csv", "compare.md", "compare.png"], "run 1 of 1: 1 cpu_points 10"),
-])
-def test_without_a_module(fakes, without, module, left, says):
-    result = compare(fakes, "--steps", 1, "--counts", 10, "--repeats", 1,
-                     environment=without(module))
-    assert result.returncode == 0
-    assert says in result.stderr
-    assert written(fakes) == left
-    text = (fakes.parent / "comparison" / "compare.md").read_text()
-    assert ("compare.png" in text) == ("compare.png" in left)
-
-
-@pytest.mark.parametrize("number, name", [(signal.SIGINT, "Ctrl-C"), (signal.SIGTERM, "SIGTERM"),
-                                          (signal.SIGHUP, "SIGHUP")])
-def test_a_signal_keeps_what_was_measured(fakes, number, name):
-    """And leaves nothing running: neither the program that is being measured nor a display."""
+def test_ctrl_c_keeps_what_was_measured(fakes):
     (fakes / "step02_vbo.does").write_text("hang")
-    process = start(fakes, ["--steps", "1,2,3", "--counts", 10], environment={"DISPLAY": ""})
-    patience_ends = time.monotonic() + PATIENCE
+    process = subprocess.Popen(
+        **command(fakes, "--steps", "1,2,3", "--counts", 10), stderr=subprocess.PIPE,
+        # What a shell runs in the background ignores Ctrl-C, and so would all that it starts.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     while not (fakes / "hanging").exists():  # the first is done, the second will never be
-        assert process.poll() is None and time.monotonic() < patience_ends
+        assert process.poll() is None
         time.sleep(0.01)
-    children = descendants(process.pid)
-    assert len(children) == 2  # the program, and Xvfb
-    process.send_signal(number)
+    process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=PATIENCE)
-    assert process.returncode == 128 + number
-    assert "Traceback" not in said
-    assert not any(pathlib.Path(f"/proc/{child}").exists() for child in children)
+    assert process.returncode == 130 and "Traceback" not in said
     assert written(fakes) == ["compare.csv", "compare.md", "compare.png"]
-    folder = fakes.parent / "comparison"
-    assert [row["step"] for row in frames_of(folder / "compare.csv")] == [STEPS[0]]
-    assert f"ended by {name} after 1 of 9 runs" in (folder / "compare.md").read_text()
+    assert [row["step"] for row in frames_of(fakes)] == [STEPS[0]]
+    assert "ended by Ctrl-C in repeat 1 of 3" in page(fakes)
 
 
-def descendants(parent):
-    found = []
-    for child in pathlib.Path(f"/proc/{parent}/task/{parent}/children").read_text().split():
-        found += [int(child), *descendants(child)]
-    return found
-
-
-def test_a_full_disk_leaves_what_was_there(fakes, no_chart):
-    """A limit on the size of files breaks off the write."""
-    folder = fakes.parent / "comparison"
-    folder.mkdir()
-    (folder / "compare.csv").write_text("old")
-    code = (f"import resource, signal, sys\n"
-            f"signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
-            f"sys.path.insert(0, {str(COMPARE.parent)!r})\n"
-            f"import compare\n"
-            f"whole = compare.write_whole\n"
-            f"def limited(path, content):\n"
-            f"    resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))\n"
-            f"    whole(path, content)\n"
-            f"compare.write_whole = limited\n"
-            f"sys.exit(compare.main())\n")
-    result = subprocess.run([sys.executable, "-c", code, "--build", fakes, "--steps", "1",
-                             "--counts", "10", "--frames", "3"], cwd=fakes.parent, text=True,
-                            env={**os.environ, **no_chart}, capture_output=True, timeout=PATIENCE)
-    assert result.returncode == 1
-    assert result.stderr.splitlines()[-1] == (
-        "compare.py: cannot write comparison/compare.csv: File too large")
-    assert written(fakes) == ["compare.csv"] and (folder / "compare.csv").read_text() == "old"
-
-
-@pytest.mark.parametrize("arguments", [
-    ["--steps", "9"], ["--steps", "two"], ["--counts", "0"], ["--counts", "many"],
-    ["--variants", "orphan"], ["--size", "wide"], ["--experiment", "luck"], ["--timeout", "nan"],
-    ["--frames", "0"], ["nonsense"],
-    ["--experiment", "groups", "--counts", "10"],
-    ["--merge"], ["--merge", "a.csv", "--experiment", "groups"],
-])
+@pytest.mark.parametrize("arguments", [["--steps", "9"], ["--experiment", "groups", "--counts", "10"]])
 def test_a_wrong_command_line(fakes, arguments):
     assert compare(fakes, *arguments).returncode == 2
     assert not (fakes / "starts").exists()
+
+
+def test_parts_turns_on_all_that_it_measures(fakes):
+    assert compare(fakes, "--experiment", "parts", "--counts", 999, "--frames", 1).returncode == 0
+    rows = {row["line"]: row for row in frames_of(fakes, "parts")}
+    assert {line: (row["options"], float(row["median_ms"])) for line, row in rows.items()} == {
+        "everything": ("--set fog=1 --set arrows=1 --set bloom=0.06", 6),
+        "without fog": ("--set fog=0 --set arrows=1 --set bloom=0.06", 2),
+        "without arrows": ("--set fog=1 --set arrows=0 --set bloom=0.06", 6),
+        "without bloom": ("--set fog=1 --set arrows=1 --set bloom=0", 6)}
+    assert "without fog 2.00 ms, 0.333 times as much (0.333 to 0.333); without" in page(fakes, "parts")
+    assert "without arrows 6.00 ms, cannot tell (1 to 1)" in page(fakes, "parts")
+
+
+def test_merge_has_the_same_numbers(fakes):
+    """One median: of what one computer measured, and of the same beside another's."""
+    for name, repeats in (("a", 1), ("b", 2)):
+        assert compare(fakes, "--steps", "1,2", "--counts", "10,1000", "--repeats", repeats, "--frames", 4,
+                       "--out", name).returncode == 0
+    tables = [fakes.parent / name / "compare.csv" for name in "ab"]
+    tables[1].write_text(tables[1].read_text().replace(",1,frame,swap,4,", ",1,frame,swap,4,1"))
+    result = compare(fakes, "--merge", *tables)
+    assert result.returncode == 0, result.stderr
+    assert written(fakes) == ["compare-merged.md", "compare-merged.png"]
+    text = page(fakes, "compare-merged")
+    assert "- computer 2: llvmpipe (LLVM 15, 256 bits) (software rendering); " in text
+    # 1.511 ms in the first repeat, 11.511 in the second.
+    assert "| 1 cpu_points, computer 1 | 10 | 1.51 |" in text
+    assert "| 1 cpu_points, computer 2 | 10 | 4.17 |" in text
+
+    tables[1].write_text(tables[1].read_text().replace("compare,", "loops,"))
+    result = compare(fakes, "--merge", *tables)
+    assert result.returncode == 1 and "of one experiment, not of compare, loops" in result.stderr
+    tables[1].write_text("luck\n")
+    result = compare(fakes, "--merge", *tables)
+    assert result.returncode == 1 and "b/compare.csv is no table of this compare.py" in result.stderr
 
 
 def test_list(fakes):
@@ -345,173 +244,14 @@ def test_list(fakes):
     assert [line.split()[0] for line in listed.splitlines()[::2]] == EXPERIMENTS
 
 
-def test_experiments_say_what_was_found(fakes, no_chart):
-    """Step 2's frames of 1 + flakes of the made-up program take 2/1000 ms a flake."""
-    assert compare(fakes, "--experiment", "release-rate", "--frames", 1, "--repeats", 1,
-                   environment=no_chart).returncode == 0
-    assert written(fakes) == ["release-rate.csv", "release-rate.md"]
-    text = (fakes.parent / "comparison" / "release-rate.md").read_text()
-    assert "**The source:** Patrick" in text
-    assert ("**Here:** Step 2: from 1 to 20 flakes per frame a frame goes from 1.44 to 28.80 ms "
-            "(20 times as much).") in text
-
-
-def test_repeats_that_differ_as_much_as_what_they_measure(fakes, no_chart):
-    (fakes / f"{STEPS[0]}.does").write_text("hardware")
-    assert compare(fakes, "--experiment", "hexagons", "--frames", 1, "--repeats", 1,
-                   environment=no_chart).returncode == 0
-    text = (fakes.parent / "comparison" / "hexagons.md").read_text()
-    assert "with hexagons (+0 %, no more than from repeat to repeat); the update" in text
-
-
-def test_a_program_that_does_not_say_what_is_measured(fakes, no_chart):
-    result = compare(fakes, "--experiment", "voxeliser", environment=no_chart)
-    assert result.returncode == 1 and "does not say 'made in" in result.stderr
-
-
-def test_what_a_program_says_counts_in_place_of_its_frames(fakes, no_chart):
-    for step in STEPS:
-        program = fakes / step
-        program.write_text(program.read_text() + 'print("made in 12.5 ms")\n')
-    assert compare(fakes, "--experiment", "voxeliser", environment=no_chart).returncode == 0
-    text = (fakes.parent / "comparison" / "voxeliser.md").read_text()
-    assert "| step05_collision | voxels | on the GPU | 256 | 12.50 | 12.50 | ±0 % |  |" in text
-    assert "in 12.5 ms on the CPU and in 12.5 ms on the GPU (+0 %, no more than" in text
-    assert "fps" not in text and "snowfall was still" not in text
-
-
-def test_parts_are_those_that_the_program_lists_as_on(fakes):
-    assert compare(fakes, "--experiment", "parts", "--counts", 999, "--frames", 1).returncode == 0
-    frames = frames_of(fakes.parent / "comparison" / "parts.csv")
-    assert [(row["line"], row["options"], row["median_ms"]) for row in frames] == 3 * [
-        ("all parts", "", "6.0000"), ("without fog", "--set fog=0", "2.0000"),
-        ("without sparkle", "--set sparkle=0", "6.0000")]
-    text = (fakes.parent / "comparison" / "parts.md").read_text()
-    assert ("with all parts; without fog -4.00 ms; no more than from repeat to repeat: "
-            "without sparkle +0.00 ms.") in text
-    assert ("| step06_accumulation | plain | without fog | 999 | 2.00 | 2.00 | 500 | ±0 % | 0.33 "
-            "| -4.00 |") in text
-    assert is_png(fakes.parent / "comparison" / "parts.png")
-
-
-# ---- Tables of many computers, merged.
-
-def table(renderer="llvmpipe", processor="Chip, 2 cores", experiment="compare", size="64,48", factor=1):
-    """What one of them might have written: two steps, two numbers of flakes, two repeats."""
-    header = ("experiment,line,x,step,variant,options,particles,width,height,renderer,processor,"
-              "repeat,stage,clock,frames,median_ms,p95_ms\n")
-    return header + "".join(
-        f'{experiment},{number} {step[7:]},{x},{step},plain,,{x},{size},"{renderer}","{processor}",'
-        f"{repeat},{stage},{clock},9,{factor * (number * x / 100 + repeat)},{factor * x}\n"
-        for number, step in enumerate(STEPS[:2], 1) for x in (100, 1000) for repeat in (0, 1)
-        for stage, clock in (("frame", "swap"), ("draw", "cpu")))
-
-
-def merge(folder, *tables, environment=None):
-    paths = []
-    for number, content in enumerate(tables):
-        paths.append(folder / f"{number}.csv")
-        if content is not None:
-            paths[-1].write_bytes(content if isinstance(content, bytes) else content.encode())
-    (folder / "build").mkdir(exist_ok=True)
-    return compare(folder / "build", "--merge", *paths, environment=environment)
-
-
-def test_merge(tmp_path):
-    result = merge(tmp_path, table("Card, fast"), table("Card, slow", factor=3),
-                   table("Card, slow", factor=4))
-    assert result.returncode == 0, result.stderr
-    folder = tmp_path / "comparison"
-    assert sorted(path.name for path in folder.iterdir()) == ["compare-merged.md", "compare-merged.png"]
-    assert is_png(folder / "compare-merged.png")
-    text = (folder / "compare-merged.md").read_text()
-    assert "- Computer 1: Card, fast; Chip, 2 cores\n- Computer 2: Card, slow; Chip" in text
-    assert "- Computer 3: Card, slow; Chip" in text  # another of the same make
-    # Two repeats of 10 and 11 ms, thrice as long on the second computer.
-    assert ("| step01_cpu_points | plain | 1 cpu_points, computer 1 | 1,000 | 10.50 | 1000.00 | 95 "
-            "| ±5 % | CPU: draw 10.50 |") in text
-    assert "| 1 cpu_points, computer 2 | 1,000 | 31.50 | 3000.00 |" in text
-    assert "| 2 vbo, computer 3 | 100 | 10.00 |" in text
-
-
-def test_what_was_measured_can_be_merged(fakes, no_chart):
-    for name in ("a", "b"):
-        assert compare(fakes, "--steps", 1, "--counts", 10, "--out", fakes.parent / name,
-                       environment=no_chart).returncode == 0
-    result = compare(fakes, "--merge", fakes.parent / "a" / "compare.csv",
-                     fakes.parent / "b" / "compare.csv", environment=no_chart)
-    assert result.returncode == 0, result.stderr
-    assert written(fakes) == ["compare-merged.md"]
-    text = (fakes.parent / "comparison" / "compare-merged.md").read_text()
-    processor, = re.findall(r"- Processor: (.*)", (fakes.parent / "a" / "compare.md").read_text())
-    assert f"Computer 2: llvmpipe (LLVM 15, 256 bits) (software rendering); {processor}\n" in text
-
-
-@pytest.mark.parametrize("other, says", [
-    (None, "1.csv: No such file"),
-    ("", "1.csv is no table of this compare.py: it has no column 'experiment'"),
-    (table().replace("processor", "cpu"), "1.csv is no table of this compare.py: it has no column 'proc"),
-    (table().partition("\n")[0] + "\n", "1.csv holds no frame times"),
-    (table().replace("frame,", "scene,"), "1.csv holds no frame times"),
-    (table() + "compare,what?\n", "1.csv, line 18: malformed CSV"),
-    (table().replace(",1000,", ",many,", 1), "1.csv, line 6: malformed CSV"),
-    (table().replace(",1000\n", ",nan\n", 1), "1.csv, line 6: malformed CSV"),
-    (table() + "\"compare", "1.csv, line 17: malformed CSV"),
-    (b"\x89PNG\r\n\x1a\n\0\xff", "1.csv"),
-    (table(experiment="loops"), "1.csv is of the experiment 'loops', "),
-    (table(size="640,480"), "1.csv was measured in a window of 640x480, "),
-], ids=range(12))
-def test_tables_that_cannot_be_merged(tmp_path, no_chart, other, says):
-    result = merge(tmp_path, table(), other, environment=no_chart)
-    assert result.returncode == 1 and result.stderr.count("\n") == 1
-    assert says in result.stderr
-    assert not (tmp_path / "comparison").exists()
-
-
-def test_merging_what_nobody_knows(tmp_path, no_chart):
-    result = merge(tmp_path, table(experiment="luck"), environment=no_chart)
-    assert result.returncode == 1 and result.stderr.count("\n") == 1 and "'luck'" in result.stderr
-
-
-@pytest.mark.parametrize("triangles", [12, 100, 800, 1000, 10000, 70000])
-def test_height_fields_have_as_many_triangles_as_they_should(tmp_path, triangles):
-    code = f"import pathlib, experiments as e; e.hills(pathlib.Path('{tmp_path}'), {triangles})"
-    subprocess.run([sys.executable, "-B", "-c", code], cwd=COMPARE.parent, check=True)
-    path, = tmp_path.iterdir()
-    lines = [line.split() for line in path.read_text().splitlines()]
-    points = [line for line in lines if line[0] == "v"]
-    faces = [line for line in lines if line[0] == "f"]
-    assert len(faces) == triangles
-    corners = {int(corner) for face in faces for corner in face[1:]}
-    assert corners == set(range(1, len(points) + 1))
-
-
-# ---- The real programs.
-
-def test_the_programs(real_build, tmp_path):
-    result = compare(real_build, "--frames", 2, "--warmup", 2, "--counts", "10,50", "--repeats", 1,
-                     "--size", "64x64", "--variants", "1:hexagons,2:orphan", "--out", tmp_path)
-    assert result.returncode == 0, result.stderr
-    assert "failed" not in result.stderr
-    frames = frames_of(tmp_path / "compare.csv")
-    assert len(frames) == (6 + 1 + 2) * 2
-    for row in frames:
-        assert (row["frames"], row["width"], row["height"]) == ("2", "64", "64")
-        assert 0 < float(row["median_ms"]) <= float(row["p95_ms"])
-    stages = {(row["step"], row["stage"]) for row in rows(tmp_path / "compare.csv")}
-    assert {(STEPS[0], "draw"), (STEPS[1], "upload"), (STEPS[4], "scene")} < stages
-    assert is_png(tmp_path / "compare.png")
-
-
-@pytest.mark.parametrize("experiment", EXPERIMENTS)
-def test_the_experiments(real_build, tmp_path, experiment):
+@pytest.mark.parametrize("experiment", ["compare", *EXPERIMENTS])
+def test_the_experiments(request, tmp_path, experiment):
     # Or they take the longest by far.
-    few = ["--counts", 50] if experiment in ("parts", "threads", "feedback-or-compute") else []
-    result = compare(real_build, "--experiment", experiment, "--frames", 1, "--warmup", 1,
-                     "--repeats", 1, "--size", "320x240", "--out", tmp_path, *few)
-    assert result.returncode == 0, result.stderr
-    assert "failed" not in result.stderr
+    few = ["--counts", 50] if experiment in ("compare", "parts", "threads", "feedback-or-compute") else []
+    build = request.config.getoption("build").resolve()
+    result = compare(build, "--experiment", experiment, "--frames", 1, "--warmup", 2, "--repeats", 1,
+                     "--size", "320x240", "--out", tmp_path, *few)
+    assert result.returncode == 0 and "failed" not in result.stderr, result.stderr
+    assert (tmp_path / f"{experiment}.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
     text = (tmp_path / f"{experiment}.md").read_text()
-    assert "**The source:** " in text
-    assert "**Here:** " in text and "too little" not in text
-    assert is_png(tmp_path / f"{experiment}.png")
+    assert experiment == "compare" or "**Here:** The " in text
