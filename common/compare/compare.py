@@ -26,6 +26,7 @@ import datetime
 import os
 import platform
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -210,7 +211,7 @@ def main():
         for experiment in list(EXPERIMENTS.values())[1:]:  # without the comparison of the steps
             print(f"{experiment.name:20} {experiment.title}\n{'':20} {experiment.source}")
         return 0
-    if not settings.merge and sys.platform == "linux" and not os.environ.get("DISPLAY"):
+    if not settings.merge and not os.environ.get("DISPLAY") and shutil.which("xvfb-run"):
         # A display in memory, as large as the largest window.
         os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 2560x1440x24 +extension GLX "
                                "-noreset", sys.executable, *sys.argv])
