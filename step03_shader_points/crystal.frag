@@ -17,7 +17,7 @@ void main()
     // Before any pixel is discarded: the mipmap level follows from the uv of its neighbours.
     float opacity = crystal_opacity(crystals, crystal_tile(index), uv);
     if (dot(uv, uv) > 1.0) discard;
-    // Of a crystal few pixels wide the picture leaves only a faint blur: it is drawn as a soft disc.
+    // The picture of a crystal that is a few pixels wide is a faint blur: it is drawn as a soft disc.
     float pixels = 1.0 / fwidth(gl_PointCoord.x);  // across the sprite
     opacity = mix(1.0 - dot(uv, uv), opacity, smoothstep(2.0, 10.0, pixels));
     colour = vec4(vec3(1.0), coverage * opacity);

@@ -39,9 +39,9 @@ Scene with_ground(Scene scene, const VoxelGrid& grid)
             if (has_floor(grid, begin - step, end + step)) continue;
             const auto first = uint32_t(scene.vertices.size());
             for (const glm::ivec2 corner : {begin, {begin.x, end.y}, end, {end.x, begin.y}}) {
-                vec3 place = grid.origin + grid.cell_size * vec3(corner.x, 0, corner.y);
-                place.y = ground_height;
-                scene.vertices.push_back({place, vec3(0, 1, 0), ground_colour, {}});
+                vec3 position = grid.origin + grid.cell_size * vec3(corner.x, 0, corner.y);
+                position.y = ground_height;
+                scene.vertices.push_back({position, vec3(0, 1, 0), ground_colour, {}});
             }
             for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
                 scene.indices.push_back(first + corner);

@@ -7,7 +7,7 @@
 inline constexpr float ground_height = -0.005f;  // m, so that no floor at y = 0 shares its depth
 inline constexpr glm::vec3 ground_colour(0.20f, 0.21f, 0.17f);  // linear: grass in winter
 
-// It is made of squares so many voxels wide, which snow can bend.
+// The edge of the squares that it is made of, in voxels: snow can bend them.
 int ground_square(const VoxelGrid& grid);
 
 // The same scene and, as far as the grid reaches, the ground at y = 0 where the scene has no floor:

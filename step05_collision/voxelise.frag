@@ -16,7 +16,7 @@ void main()
     ivec3 cell;
     cell[across] = int(gl_FragCoord.x);
     cell[up] = int(gl_FragCoord.y);
-    // Which part of the column: from the triangle's lowest corner to its highest.
+    // The column from the triangle's lowest corner to its highest.
     float low = (min(a[along], min(b[along], c[along])) - grid.origin[along]) / grid.cell_size;
     float high = (max(a[along], max(b[along], c[along])) - grid.origin[along]) / grid.cell_size;
     // And in that, where its plane passes: no more than a voxel above and below where it meets the column's

@@ -32,7 +32,7 @@ VoxelGrid voxelise_on_gpu(const Scene& scene, int resolution)
     program.use();
     UniformBlock<snow::Grid> block;
     block.update(GRID_BLOCK, {grid.origin, grid.cell_size, grid.resolution, 0, 0, 0});
-    // Of all layers: a voxel may lie in any.
+    // All layers are bound: a voxel may lie in any.
     glBindImageTexture(VOXELS_IMAGE, words, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     mesh.draw();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -263,7 +263,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     }
     if (!command.record.empty()) check_record_folder(command.record);
     if (command.benchmark && app.count("--warmup") == 0) command.warmup = 960;
-    // What is to be written after the last frame needs a last frame.
+    // Outputs that are written after the last frame need one.
     if (!command.frames && (command.reproducible() || command.benchmark)) command.frames = 300;
     return command;
 }

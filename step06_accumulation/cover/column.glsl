@@ -13,7 +13,7 @@ uniform int scene_top;         // the lowest layer of cells above all of the sce
 
 const int steps_per_round = 64;  // time steps in which every column has its turn once
 
-// What is done to a column in its turn; `cell` is its lowest.
+// Does to a column what its turn is for. cell: its lowest.
 void take_turn(ivec3 cell);
 
 void main()

@@ -60,8 +60,8 @@ void Columns::dispatch(Program& program, unsigned tick, int ticks) const
     program.use();
     program.set("scene_top", scene_top_);
     cover_.bind();
-    // Of every 8 x 8 columns one a time step. Four that follow each other lie 4 apart, where they
-    // are no neighbours yet: a frame that has made four steps looks after them at once.
+    // A time step looks after one of every 8 x 8 columns. Four that follow each other lie 4 apart,
+    // where they are no neighbours yet: a frame that has made four steps looks after them at once.
     for (unsigned turn = tick - unsigned(ticks); turn != tick;) {
         const int four = int(turn % steps_per_round) / 4, one = int(turn % 4);
         const bool at_once = one == 0 && tick - turn >= 4;

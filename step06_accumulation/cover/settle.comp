@@ -17,10 +17,10 @@ const ivec3 neighbours[8] = ivec3[](ivec3(0, 0, 1), ivec3(1, 0, 0), ivec3(0, 0, 
 void transfer(ivec3 cell, ivec3 target, uint amount)
 {
     for (; amount > 0u && mass_in(cell) > 0u; cell -= up) {
-        uint part = min(amount, mass_in(cell));
-        uint moved = part - add_snow(target, part);
+        uint portion = min(amount, mass_in(cell));
+        uint moved = portion - add_snow(target, portion);
         atomicAdd(mass[mass_index(cell)], 0u - moved);
-        if (moved < part) return;
+        if (moved < portion) return;
         amount -= moved;
     }
 }

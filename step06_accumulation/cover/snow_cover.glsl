@@ -51,9 +51,9 @@ uint add_snow(ivec3 cell, uint amount)
     const int most_attempts = 512;  // what is not placed by then finds no room, either
     for (int n = 0; n < most_attempts && amount > 0u && in_grid(cell) && !in_base(cell); ++n) {
         uint held = mass_in(cell);
-        uint part = min(amount, full_cell - held);
-        if (atomicCompSwap(mass[mass_index(cell)], held, held + part) != held) continue;  // once more
-        amount -= part;
+        uint portion = min(amount, full_cell - held);
+        if (atomicCompSwap(mass[mass_index(cell)], held, held + portion) != held) continue;  // once more
+        amount -= portion;
         cell.y += 1;
     }
     return amount;

@@ -13,7 +13,7 @@
 
 class SnowCover {
 public:
-    // For a grid of so many voxels along each edge. Throws std::runtime_error if the card has no
+    // For a grid with that many voxels along each edge. Throws std::runtime_error if the card has no
     // buffer that large.
     explicit SnowCover(int resolution);
 

@@ -11,7 +11,7 @@
 // What shaders may have besides: bits of a set. Each is a #define of its own name in the shaders.
 enum Feature : unsigned {
     SHADOW = 1,       // the shadow map
-    OCCLUSION = 2,    // the scene hides a part of the sky
+    OCCLUSION = 2,    // the scene hides some of the sky
     LAMP = 4,         // a lamp that is on
     SPARKLE = 8,      // crystals on the snow that flash
     DUSTING = 16,     // snow on the weather side of walls

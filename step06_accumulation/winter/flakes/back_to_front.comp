@@ -15,7 +15,7 @@ layout(std430, binding = ORDER_BUFFER) buffer Order { uint order[]; };
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    uint a = 2u * i - (i & (apart - 1u)), b = a + apart;  // no two invocations have a place in common
+    uint a = 2u * i - (i & (apart - 1u)), b = a + apart;  // no two invocations have an element in common
     if (b >= uint(distances.length())) return;
     bool falls = (a & run) == 0u;
     float first = distances[a], second = distances[b];

@@ -29,7 +29,7 @@ vec2 pixel_of(vec4 clip)
     return 0.5 * vec2(frame.window_size) * clip.xy / clip.w;
 }
 
-// Width of the spot, in pixels, that a camera which looks into the distance makes of a point so many m away: a
+// Width of the spot, in pixels, that a camera focused on the distance makes of a point that far away, m: a
 // lens `aperture` wide, seen at infinity, has moved by that much on what is in focus.
 float out_of_focus(float away)
 {

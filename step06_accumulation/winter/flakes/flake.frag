@@ -27,7 +27,7 @@ void main()
         opacity = 1.0 - squared * squared * squared;
         shade = 0.85 + 0.15 * uv.y;  // it is darker below
     } else if (squared < 1.0) {
-        // Of a crystal that is a few pixels wide, or out of focus, nothing is left but a soft spot.
+        // A crystal that is a few pixels wide, or out of focus, is no more than a soft spot.
         float seen = smoothstep(5.0, 15.0, width) * smoothstep(0.4, 0.9, sharp);
         opacity = mix(1.0 - squared * squared, picture, seen);
     }

@@ -20,7 +20,7 @@ out Flake
 }
 flake;
 
-// What is seen of a white flake, which has no side: light from everywhere. It may lie on a surface. The nearest
+// The light that a white flake, which has no side, sends to the eye: it comes from everywhere. It may lie on a surface. The nearest
 // cell of sky_visibility will do.
 vec3 light_on_flake(vec3 position)
 {

@@ -15,7 +15,7 @@ float glow(vec3 direction)
 // Colour of so much air that nothing shines through it, seen in this direction (length 1).
 vec3 air_light(vec3 direction)
 {
-    const float sunlit = 0.25;  // part of the air that the sun reaches
+    const float sunlit = 0.25;  // fraction of the air that the sun reaches
     float sunset = max(dot(direction.xz, normalize(frame.to_sun.xz)), 0.0);
     return frame.horizon + sunset * sunset * frame.twilight + sunlit * glow(direction) * frame.sun;
 }

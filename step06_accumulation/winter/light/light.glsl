@@ -84,7 +84,7 @@ vec3 direct_light(vec3 normal, Spot spot, float sunlight, float around)
     return facing * sunlight * frame.sun + lamp_light(normal, spot);
 }
 
-// What is seen of a dull surface of this colour, from any side. normal: length 1.
+// The light that a dull surface of this colour sends to any side. normal: length 1.
 vec3 lit(vec3 colour, vec3 normal, Spot spot, float sunlight, float around)
 {
     return colour * (ambient_light(normal, spot) + direct_light(normal, spot, sunlight, around));

@@ -17,7 +17,7 @@ using glm::vec4;
 constexpr int most_cells = 64;  // along each edge of the grid's cube
 constexpr int directions = 32;  // evenly spread over the sky
 
-// The voxels, so many to a cell: how much of the light that comes along is lost in each.
+// The voxels, several to a cell: how much of the light that comes along is lost in each.
 struct Opacity {
     explicit Opacity(const VoxelGrid& grid)
         : cells(std::min(grid.resolution, most_cells)), voxels(grid.resolution / cells),

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int texels = 256;  // along each edge
 
-// Uniform in [0, 1), one number for each knot of a net that repeats after so many.
+// Uniform in [0, 1), one number for each knot of a net that repeats after `period` knots.
 float knot(int x, int y, int period)
 {
     const unsigned key = unsigned(y % period * period + x % period);

@@ -8,7 +8,7 @@
 
 class SmoothSnow {
 public:
-    // For a grid of so many voxels along each edge.
+    // For a grid with that many voxels along each edge.
     SmoothSnow(const Columns& columns, int resolution);
 
     // What the last `ticks` time steps, up to number `tick`, have changed.

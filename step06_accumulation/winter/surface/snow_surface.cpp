@@ -29,7 +29,7 @@ Point point_of(const Vertex& v)
     return {v.position.x, v.position.y, v.position.z};
 }
 
-// What is steep is displaced less. A point is displaced alike in all triangles that meet there, or
+// Steep surfaces are displaced less. A point is displaced alike in all triangles that meet there, or
 // there would be gaps.
 void displace_less_where_steep(std::vector<SurfaceSubmesh>& submeshes)
 {

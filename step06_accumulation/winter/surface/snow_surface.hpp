@@ -12,8 +12,8 @@ struct SurfaceVertex {
     Vertex vertex;
     float displacement;  // 1: moves with the snow, 0: stays; less than 1 where it is steep
     float skirt;         // 1: on the snow's side
-    // Of the surface when deep snow has filled its hollows: the normal, and how far above it lies,
-    // m. See hollows.hpp.
+    // The surface when deep snow has filled its hollows: its normal, and how far above it lies, m.
+    // See hollows.hpp.
     glm::vec4 even{0, 1, 0, 0};
 };
 

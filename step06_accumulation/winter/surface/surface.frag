@@ -45,7 +45,7 @@ Look look_at_surface()
     const float hollow = 0.012;  // m, deepest
     vec3 lying = snow_of(texture(snow, vec3(spot.in_grid.x, base, spot.in_grid.z)));
     lying = mix(lying, vec3(min(frame.field_depth, deep), 0.0, 0.0), beyond);
-    // What is steep holds less.
+    // Steep surfaces hold less.
     float slipping = deep * (1.0 - smoothstep(0.1, 0.4, normal.y));
     float cover = is_behind ? 0.0 : smoothstep(0.0, 0.008, lying.x - hollow * fine.b - slipping);
     // What fills hollows is deeper in some of them than in others, and yet level.

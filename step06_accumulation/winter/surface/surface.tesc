@@ -39,7 +39,7 @@ bool out_of_sight()
     bvec4 beyond = bvec4(true);
     for (int i = 0; i < 3; ++i) {
         vec4 clip = frame.projection * frame.view * vec4(corner[i].position, 1.0);
-        // Of x and y, and of w.
+        // In clip space, along x and y.
         vec2 margin = most * (1.0 + vec2(frame.projection[0][0], frame.projection[1][1]));
         beyond = bvec4(beyond.x && clip.x < -clip.w - margin.x, beyond.y && clip.x > clip.w + margin.x,
                        beyond.z && clip.y < -clip.w - margin.y, beyond.w && clip.y > clip.w + margin.y);

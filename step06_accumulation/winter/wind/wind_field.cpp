@@ -59,7 +59,7 @@ float open_fraction(const VoxelGrid& grid, ivec3 cell, int axis)
 // next, away from where it comes from, each passes on what finds a way through, mixed with the air
 // beside it, as an eddy viscosity would (Counihan, Hunt and Jackson, "Wakes behind two-dimensional
 // surface obstacles in turbulent boundary layers", 1974; here some 0.1 m2/s for each m/s of wind).
-// Without this, air would close behind a wall just as it parts before it, and no place would be
+// Without this, air would close behind a wall just as it parts before it, and nowhere would it be
 // calm.
 void add_wake(AirFlow& flow, int axis)
 {
