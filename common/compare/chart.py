@@ -74,7 +74,7 @@ def bars(axes, times, colours, xlabel):
     drawn = axes.barh(range(len(times)), times.values(), height=0.6, color=colours)
     axes.bar_label(drawn, [f"{time:.2f}" for time in times.values()], padding=8, fontsize=14)
     axes.set_yticks(range(len(times)), times.keys())
-    axes.set(xlabel=xlabel, ylim=(len(times) - 0.4, -0.6))
+    axes.set(xlabel=xlabel, xmargin=0.25, ylim=(len(times) - 0.4, -0.6))
 
 
 def draw_bars(axes, _experiment, lines):

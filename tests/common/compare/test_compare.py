@@ -250,7 +250,7 @@ def test_the_experiments(request, tmp_path, experiment):
     few = ["--counts", 50] if experiment in ("compare", "parts", "threads", "feedback-or-compute") else []
     build = request.config.getoption("build").resolve()
     result = compare(build, "--experiment", experiment, "--frames", 1, "--warmup", 2, "--repeats", 1,
-                     "--size", "320x240", "--out", tmp_path, *few)
+                     "--size", "64x64", "--out", tmp_path, *few)
     assert result.returncode == 0 and "failed" not in result.stderr, result.stderr
     assert (tmp_path / f"{experiment}.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
     text = (tmp_path / f"{experiment}.md").read_text()
