@@ -195,7 +195,7 @@ def parse_arguments():
     add("--repeats", type=int, default=3, metavar="N", help="how often to run everything (3)")
     add("--size", metavar="WxH", help="window (1280x720; some experiments have their own)")
     add("--timeout", type=float, default=600, metavar="S", help="a run's most seconds (600)")
-    add("--out", type=Path, default=Path("comparison"), metavar="DIR", help="(./comparison)")
+    add("--out", type=Path, default=Path("comparison"), metavar="DIR", help="of results (comparison)")
     add("--build", type=Path, default=Path(__file__).parents[2] / "build", metavar="DIR",
         help="folder of the programs")
     settings = parser.parse_args()
