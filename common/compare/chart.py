@@ -97,7 +97,7 @@ def draw_features(axes, experiment, lines):
          ["#56B4E9" if less.is_sure else "#CCCCCC" for less in ratios.values()],
          "time saved (ms), with its 96 % interval; grey: cannot tell from 0")
     limits = axes.get_xlim()  # of the bars: few repeats make wide intervals
-    axes.hlines([row + 0.2 for row in range(len(ratios))], color="black",
+    axes.hlines([row + 0.3 for row in range(len(ratios))], color="black", linewidth=1,
                 xmin=[whole.median * (1 - min(less.high, 10)) for less in ratios.values()],
                 xmax=[whole.median * (1 - less.low) for less in ratios.values()])
     axes.set_xlim(limits)
