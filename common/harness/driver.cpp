@@ -125,8 +125,8 @@ bool renders_in_software()
     std::string name = renderer;  // "virgl (LLVMPIPE ...)", too
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
-    for (const char* software :
-         {"llvmpipe", "softpipe", "swrast", "swr", "software", "gdi generic", "basic render"}) {
+    for (const char* software : {"llvmpipe", "lavapipe", "softpipe", "swrast", "swr", "software",
+                                 "gdi generic", "basic render"}) {
         if (name.find(software) != std::string::npos) return true;
     }
     return false;

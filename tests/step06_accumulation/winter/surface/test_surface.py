@@ -47,8 +47,8 @@ def test_no_line_where_the_scene_ends(draw):
 def test_deep_snow_shows_no_ridges(draw):
     """Neither those of the surface below it nor, as it lies deeper between them, their like upside down."""
     ridges = [side for x in numpy.arange(-8, 8, 0.5)
-              for side in (scenes.quad((x, 0, -8), (x, 0, 8), (x + 0.25, 0.12, 8), (x + 0.25, 0.12, -8)),
-                           scenes.quad((x + 0.25, 0.12, -8), (x + 0.25, 0.12, 8), (x + 0.5, 0, 8), (x + 0.5, 0, -8)))]
+              for side in (scenes.quad((x, 1, -8), (x, 1, 8), (x + 0.25, 1.12, 8), (x + 0.25, 1.12, -8)),
+                           scenes.quad((x + 0.25, 1.12, -8), (x + 0.25, 1.12, 8), (x + 0.5, 1, 8), (x + 0.5, 1, -8)))]
     picture = draw(scenes.text(scenes.FLOOR, *ridges), "--particles", 20000, "--timelapse", 300, "--frames", 12,
                    "--set", "snowfall=0.6", "--camera", "0,40,12", "--set", "billboards=0", "--set", "diameter_0=0.001",
                    "--set", "diameter_1=0.001", "--set", "sparkle=0", "--set", "sun_height=15", voxels=256)
