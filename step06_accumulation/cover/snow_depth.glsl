@@ -5,8 +5,8 @@
 // Red: depth, m, on the surface nearest to each cell. Green: 1. Within walls and in the air both are 0.
 layout(binding = DEPTH_UNIT) uniform sampler3D snow_depth;
 
-// m, at `point` of the scene. The card blends between columns: divided by the blend of the ones that is a mean
-// of those of which something is known.
+// m, at `point` of the scene. The card blends between columns, known or not: divided by the blend of the ones,
+// their depths' blend is the mean of the known.
 float depth_at(vec3 point)
 {
     vec3 cells = (point - grid.origin) / grid.cell_size;
