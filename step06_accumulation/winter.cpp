@@ -124,7 +124,7 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
         const unsigned features = frame_block.features(settings, weather);
         if (settings.shadow) {  // reads the scene; writes the shadow map, if the sun has moved
             const auto stage = window.stage("shadow");
-            shadow_map.update(frame.to_sun, solid.mesh, settings.soft_shadows,
+            shadow_map.update(frame.to_sun, solid, settings.soft_shadows,
                               settings.soft_shadows || options.metres);
         }
         glViewport(0, 0, window.size().x, window.size().y);

@@ -2,7 +2,8 @@
 
 ShadowMap::ShadowMap()
     : depth_(make_texture()), framebuffer_(make_framebuffer()),
-      program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/light/shadow.vert"}})
+      program_({{GL_VERTEX_SHADER, "step06_accumulation/winter/light/shadow.vert"},
+                {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/shadow.frag"}})
 {
     glBindTexture(GL_TEXTURE_2D, depth_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -19,7 +20,7 @@ ShadowMap::ShadowMap()
     glBindFramebuffer(GL_FRAMEBUFFER, 0);  // it is complete when it is first drawn to
 }
 
-void ShadowMap::update(glm::vec3 to_sun, const SceneMesh& mesh, bool soft, bool wide)
+void ShadowMap::update(glm::vec3 to_sun, const SolidScene& solid, bool soft, bool wide)
 {
     // A lookup compares a depth with those of the four nearest texels and blends the results, or
     // with one.
@@ -44,6 +45,6 @@ void ShadowMap::update(glm::vec3 to_sun, const SceneMesh& mesh, bool soft, bool 
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2, 2);
     program_.use();
-    mesh.draw();
+    solid.draw(program_);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "common/program.hpp"
-#include "step05_collision/scene_mesh.hpp"
+#include "step05_collision/solid_scene.hpp"
 
 class ShadowMap {
 public:
@@ -15,7 +15,7 @@ public:
     // Draws the map anew if the sun has moved; the scene never does. to_sun: see frame.glsl. soft:
     // edges are blended. wide: a scene so large, or seen so closely, that texels would show. Leaves
     // another framebuffer bound.
-    void update(glm::vec3 to_sun, const SceneMesh& mesh, bool soft, bool wide);
+    void update(glm::vec3 to_sun, const SolidScene& solid, bool soft, bool wide);
 
     GLuint texture() const { return depth_; }
 

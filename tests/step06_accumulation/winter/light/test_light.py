@@ -17,6 +17,9 @@ COLUMN = scenes.text(scenes.FLOOR, scenes.box((-0.4, 0, -0.4), (0.4, 3, 0.4)))
 ROOF = scenes.text(scenes.FLOOR, scenes.box((-4, 3, -4), (4, 3.2, 4)))
 LAMP = ("mtllib lamp.mtl\n" + scenes.text(scenes.FLOOR) + "usemtl glass\n"
         + scenes.text(scenes.box((-0.2, 1.5, -0.2), (0.2, 2, 0.2))))
+# Across the sun's way; one half of it is cut out.
+FENCE = ("mtllib fence.mtl\n" + scenes.text(scenes.FLOOR) + "usemtl fence\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+         "v 0 0 -3\nv 0 0 3\nv 0 3 3\nv 0 3 -3\nf -4/1 -3/2 -2/3 -1/4\n")
 GLASS = "newmtl glass\nKd 0.9 0.9 0.9\nKe 1 0.7 0.4\n"
 
 
@@ -50,6 +53,8 @@ def draw(programs, tmp_path_factory):
     """Draws a scene without flakes, in this light; each picture only once."""
     folder = tmp_path_factory.mktemp("light")
     (folder / "lamp.mtl").write_text(GLASS)
+    (folder / "fence.mtl").write_text("newmtl fence\nKd 0.5 0.5 0.5\nmap_d fence.png\n")
+    PIL.Image.fromarray(numpy.uint8([[255] * 32 + [0] * 32] * 64)).save(folder / "fence.png")
 
     @functools.lru_cache(maxsize=None)
     def draw(text, frames=1, timelapse=1, camera="41.2529612,15.4698602,17.5", **settings):
@@ -91,6 +96,12 @@ def test_shadow_is_as_long_as_the_sun_is_low(draw):
         inside, outside = ([part * end * a for a in away] for part in (0.85, 1.4))
         shaded = picture.brightness(inside[0], 0, inside[1])
         assert shaded < 0.8 * picture.brightness(outside[0], 0, outside[1])
+
+
+def test_what_is_cut_out_throws_no_shadow(draw):
+    picture = draw(FENCE, sun_height=40, sun_direction=270)
+    whole, cut_out, beside = (picture.brightness(1.5, 0, z) for z in (-1.5, 1.5, 5))
+    assert whole < 0.8 * beside and cut_out > 0.9 * beside
 
 
 def test_without_shadow_map_no_shadow(draw):
