@@ -66,7 +66,6 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
     UniformBlock<Weather> weather_block;
     FrameBlock frame_block(solid);
     FlakeBudget budget;
-    solid.bind();
     SmoothSnow smooth_snow(columns, options.voxels);
     WindField wind(solid.grid);
     DepthOrder depth_order(weather.particles);
