@@ -108,7 +108,8 @@ int main(int argc, char** argv)
     lesson.minimum_gl = 3.3;
     lesson.variants = {{"voxels", load_and_run}, {"triangles", load_and_run}};
     lesson.has_scene = true;
-    lesson.extensions = {"GL_ARB_shader_atomic_counters", "GL_ARB_shader_image_load_store"};
+    lesson.extensions = {"GL_ARB_shader_atomic_counters", "GL_ARB_shader_image_load_store",
+                         "GL_ARB_shading_language_420pack"};
     lesson.limits = {{GL_MAX_VERTEX_ATOMIC_COUNTERS, 8, "atomic counters in vertex shaders"}};
     return run_lesson(argc, argv, lesson);
 }

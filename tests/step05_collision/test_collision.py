@@ -183,6 +183,13 @@ def test_ledger_balances(programs, scene, weather, variant):
     assert entries["melted"] > 300 and entries["deposited"] == 0
 
 
+@pytest.mark.only_software("it can be told to lack an extension")
+def test_shaders_need_bindings(programs):
+    without = {"MESA_EXTENSION_OVERRIDE": "-GL_ARB_shading_language_420pack"}
+    result = programs.run(STEP, *SMALL, "--frames", 1, environment=without)
+    assert fails_with_one_line(result, 1, "needs GL_ARB_shading_language_420pack", "earlier step")
+
+
 @pytest.mark.parametrize("step", WITH_SCENE)
 @pytest.mark.parametrize("voxels", [32, 64, 256])
 def test_voxels_take_a_bit_each(programs, step, voxels):
