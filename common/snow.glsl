@@ -36,10 +36,10 @@ struct Weather {
     float turbulence;  // m/s2, largest random push along each axis
     vec3 wind;         // m/s
     float melt_time;   // s a flake lies on a surface before it is gone
-    vec3 world_min;    // m, corner of the box outside which a flake is lost
-    float time_step;   // s
-    vec3 world_max;    // m
-    float lifetime;    // s in the air, mean; most reach the ground before
+    float world_min;   // m, heights between which a flake is not lost
+    float world_max;
+    float time_step;  // s
+    float lifetime;   // s in the air, mean; most reach the ground before
     uint particles;    // in the pool: the first half is of emitter 0, the rest of emitter 1
     uint seed;
     float variation;    // relative spread of speed and diameter from flake to flake
@@ -124,8 +124,7 @@ SNOW_INLINE float part_alive(float seconds, SNOW_IN(Weather) weather)
 
 // ---- Birth.
 
-// A flake at a random position in its cloud, drifting with the air. The cloud stands upwind by as
-// far as the wind carries its flakes while they fall, so they come down on the scene in any wind.
+// A flake at a random position in its cloud, drifting with the air.
 SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
 {
     Emitter cloud = emitter_of(index, weather);
@@ -133,11 +132,6 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
                        random_unit(index, tick, 3u, weather));
     Particle p;
     p.position = cloud.centre + cloud.half_size * (2.0f * corner - 1.0f);
-    if (weather.follow == 0u) {  // otherwise what is blown out comes in again, see wrapped
-        vec3 upwind = p.position - weather.wind * (p.position.y / terminal_speed(index, weather));
-        p.position =
-            clamp(vec3(upwind.x, p.position.y, upwind.z), weather.world_min, weather.world_max);
-    }
     p.age = 0.0f;
     p.velocity = weather.wind;
     p.rest = 0.0f;
@@ -156,7 +150,7 @@ SNOW_INLINE Particle unborn(uint index, SNOW_IN(Weather) weather)
     float life = lifetime(index, weather);
     float cycle = life < fall ? life : fall + weather.melt_time;
     Particle p;
-    p.position = vec3(0.0f, weather.world_max.y + 1000.0f, 0.0f);
+    p.position = vec3(0.0f, weather.world_max + 1000.0f, 0.0f);
     p.age = -cycle * random_unit(index, 0u, 4u, weather) -
             0.5f * fall * random_unit(index, 0u, 7u, weather);
     p.velocity = vec3(0.0f);
@@ -255,17 +249,23 @@ SNOW_INLINE Particle accelerate(Particle p, vec3 air, uint index, uint tick,
     return p;
 }
 
-// Where the clouds go with the camera, the air under each repeats itself for ever along x and z: a
-// flake that the wind blows out on one side, or that a cloud leaves behind, comes in on the other,
-// as if it had long been falling there. It is the same flake: nothing has left, nothing is
-// released. A flake that lies stays where it fell.
+// In wind, and where the clouds go with the camera, the air under each repeats itself for ever
+// along x and z: a flake that is blown out on one side, or left behind, comes in on the other, as if
+// it had long been falling there. So the air above the scene is as full of flakes in any wind.
+SNOW_INLINE bool air_repeats(SNOW_IN(Weather) weather)
+{
+    return weather.follow != 0u || weather.wind.x != 0.0f || weather.wind.z != 0.0f;
+}
+
+// It is the same flake: nothing has left, nothing is released. One that lies stays where it fell.
 SNOW_INLINE Particle wrapped(Particle p, uint index, SNOW_IN(Weather) weather)
 {
-    if (weather.follow == 0u || !airborne(p)) return p;
+    if (!air_repeats(weather)) return p;
     Emitter cloud = emitter_of(index, weather);
     vec3 width = 2.0f * cloud.half_size;
     vec3 widths = floor((p.position - cloud.centre) / width + 0.5f);
-    p.position -= width * vec3(widths.x, 0.0f, widths.z);
+    vec3 shift = width * vec3(widths.x, 0.0f, widths.z);
+    p.position -= airborne(p) ? shift : vec3(0.0f);
     return p;
 }
 
@@ -279,10 +279,7 @@ SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
 // out of the world (m), whichever is less. A waiting flake is outside the world.
 SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
 {
-    float x = min(p.position.x - weather.world_min.x, weather.world_max.x - p.position.x);
-    float y = min(p.position.y - weather.world_min.y, weather.world_max.y - p.position.y);
-    float z = min(p.position.z - weather.world_min.z, weather.world_max.z - p.position.z);
-    float way = weather.follow != 0u ? y : min(x, min(y, z));  // the air goes on for ever: wrapped
+    float way = min(p.position.y - weather.world_min, weather.world_max - p.position.y);
     return min(lifetime(index, weather) - (p.age - p.rest), way);
 }
 
@@ -296,6 +293,7 @@ SNOW_INLINE bool gone(Particle p, uint index, SNOW_IN(Weather) weather)
 SNOW_INLINE Particle advance(Particle p, uint index, uint tick, SNOW_IN(Weather) weather)
 {
     p = accelerate(settle(move(p, weather), weather), weather.wind, index, tick, weather);
+    p = wrapped(p, index, weather);
     if (gone(p, index, weather)) p = born(index, tick, weather);
     return p;
 }

@@ -10,6 +10,6 @@ using namespace glm;
 
 static_assert(sizeof(Particle) == 32 && offsetof(Particle, velocity) == 16,
               "eight floats, no gaps");
-static_assert(sizeof(Emitter) == 32 && sizeof(Weather) == 176 && offsetof(Weather, emitters) == 112,
+static_assert(sizeof(Emitter) == 32 && sizeof(Weather) == 160 && offsetof(Weather, emitters) == 96,
               "the layout std140 gives them");
 }  // namespace snow

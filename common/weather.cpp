@@ -10,10 +10,9 @@ Weather make_weather(const std::string& preset, uint particles, uint seed)
     weather.gravity = {0, -9.81f, 0};
     weather.turbulence = 3;
     weather.melt_time = 4;
-    // So wide that in wind of up to 7 m/s the clouds, which stand upwind, are within.
-    weather.world_min = {-64, -1, -64};
+    weather.world_min = -1;
     weather.time_step = 1.0f / 60.0f;
-    weather.world_max = {64, 13, 64};
+    weather.world_max = 13;
     weather.lifetime = 40;
     weather.particles = particles;
     weather.seed = seed;

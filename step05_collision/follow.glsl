@@ -1,5 +1,5 @@
-// With --follow the clouds stay above the camera, and what leaves the air under them on one side enters on the
-// other: see wrapped in common/snow.glsl.
+// In wind, and with --follow, what leaves the air under a cloud on one side enters on the other: see wrapped in
+// common/snow.glsl.
 
 #include "common/weather_block.glsl"
 #include "step05_collision/terrain.glsl"

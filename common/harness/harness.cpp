@@ -101,7 +101,7 @@ bool Harness::frame_begins()
     }
     frame_seconds_ = std::chrono::duration<double>(now - last_frame_).count() / stands_for_;
     last_frame_ = last_events_ = now;
-    command_.weather.world_max.y += std::exchange(raise_world_by_, 0.0f);
+    command_.weather.world_max += std::exchange(raise_world_by_, 0.0f);
     pace();
     move_camera();
     // Software renderers answer some queries with 0: there the last frames of a benchmark's warm-up

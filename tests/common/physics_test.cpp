@@ -365,7 +365,7 @@ TEST(Follow, MovesAFlakeByWholeWidthsOfItsCloudAndOnlyIfAsked)
     EXPECT_EQ(there.velocity, flake.velocity);
     EXPECT_EQ(there.age, flake.age);
     EXPECT_EQ(wrapped(there, 0, weather).position, there.position);
-    EXPECT_FALSE(gone(there, 0, weather));  // though it is outside the world box
+    EXPECT_FALSE(gone(there, 0, weather));
     flake.rest = 1;
     EXPECT_EQ(wrapped(flake, 0, weather).position, flake.position);  // it lies
     EXPECT_FALSE(gone(flake, 0, weather));
@@ -401,10 +401,9 @@ TEST(Update, AllLoopsAgreeToTheLastBit)
 // GPU.)
 TEST(Weather, LiesInMemoryAsStd140Says)
 {
-    for (const size_t offset :
-         {offsetof(Weather, gravity), offsetof(Weather, wind), offsetof(Weather, world_min),
-          offsetof(Weather, world_max), offsetof(Weather, emitters), offsetof(Emitter, centre),
-          offsetof(Emitter, half_size), sizeof(Emitter), sizeof(Weather)}) {
+    for (const size_t offset : {offsetof(Weather, gravity), offsetof(Weather, wind),
+                                offsetof(Weather, emitters), offsetof(Emitter, centre),
+                                offsetof(Emitter, half_size), sizeof(Emitter), sizeof(Weather)}) {
         EXPECT_EQ(offset % 16, 0u);
     }
 }

@@ -142,8 +142,7 @@ def test_it_snows_along_a_slope(programs, tmp_path, step, variant, wind):
 
 @pytest.mark.parametrize("step", WITH_SCENE)
 def test_clouds_that_stay_hang_above_a_scene_in_metres_too(programs, tmp_path, step):
-    """And as far upwind as their own height asks for, not that of what they hang above: 8 m at 1 m/s,
-    12 m at 1.5 m/s. Voxels are 8 m wide, so flakes lie higher than the plateau, and come less far back."""
+    """And in wind it snows on all of the 16 m below them: the mean of 200 is within 1 m of the middle."""
     path = tmp_path / "plateau.obj"
     path.write_text(PLATEAU)
     flakes = programs.flakes(step, "--scene", path, "--metres", "--voxels", 64, "--particles", 1000,
@@ -152,4 +151,4 @@ def test_clouds_that_stay_hang_above_a_scene_in_metres_too(programs, tmp_path, s
     lying = flakes.position[flakes.rest > 0]
     assert len(lying) > 200
     assert (lying[:, 1] >= 50).all()
-    assert -2 * 8 < lying[:, 0].mean() < 0
+    assert abs(lying[:, 0].mean()) < 1 and abs(lying[:, 0]).max() < 9
