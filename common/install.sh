@@ -105,6 +105,7 @@ install_missing()
     local by_hand="apt-get update && apt-get install -y --no-install-recommends"
     if ((EUID != 0)); then
         apt=(sudo "${apt[@]}")
+        say "Packages are missing: ${missing[*]}. Installing them takes root: sudo may ask for your password."
         # It may be there and still refuse this user.
         if ! command -v sudo >/dev/null || ! sudo true; then
             for entry in "${missing[@]}"; do

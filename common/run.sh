@@ -10,6 +10,8 @@ set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f -- "$0")")")
 # shellcheck source=common/install.sh disable=SC1091
 source "$root/common/install.sh"
+# shellcheck source=common/build.sh disable=SC1091
+source "$root/common/build.sh"
 
 # Every step's folder has the name of its program.
 steps=()
@@ -76,38 +78,19 @@ if $headless && [[ $target != compare ]]; then
     done
 fi
 
-# Succeeds if a file or folder can be written or, where there is none, be made.
-writable()
-{
-    local path=$1
-    [[ -e $path ]] || path=$(dirname "$path")
-    [[ -w $path ]]
-}
-
 # Said now, not after minutes of installing, building and drawing.
 if [[ -n $picture ]] && ! writable "$picture"; then
     say "The picture $picture cannot be written. Please start this in a folder of your own."
     exit 1
 fi
-if ! writable "$root/build"; then
-    say "The folder $root/build cannot be written. Please copy $root to a place of your own."
-    exit 1
-fi
+check_build_folder "$root/build"
 
 groups=(build)
 if $headless; then groups+=(headless); fi
 if [[ $target == compare ]]; then groups+=(compare); fi
 install_missing "${groups[@]}"
 
-say "Building in $root/build ..."
-if ! quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_TESTS=OFF; then
-    say "CMake failed, as it says above. If $root was moved or copied, remove its folder 'build'."
-    exit 1
-fi
-if ! quietly cmake --build "$root/build" --parallel "$(nproc)"; then
-    say "The build in $root/build failed, as the compiler says above."
-    exit 1
-fi
+build_in "$root/build" -DSNOWFALL_TESTS=OFF
 
 if [[ $target == compare ]]; then
     # Debian's own, which has the packages just installed; the first in PATH may be another.

@@ -17,6 +17,8 @@ set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f -- "$0")")")
 # shellcheck source=common/install.sh disable=SC1091
 source "$root/common/install.sh"
+# shellcheck source=common/build.sh disable=SC1091
+source "$root/common/build.sh"
 
 build=$root/build
 sanitize=OFF
@@ -32,12 +34,9 @@ if [[ ${1:-} == --driver ]]; then
     shift
 fi
 
+check_build_folder "$build"
 install_missing build headless compare test
-
-say "Building in $build ..."
-quietly cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSNOWFALL_TESTS=ON \
-    -DSNOWFALL_SANITIZE="$sanitize"
-quietly cmake --build "$build" --parallel "$(nproc)"
+build_in "$build" -DSNOWFALL_TESTS=ON -DSNOWFALL_SANITIZE="$sanitize"
 
 if $driver; then
     display=()

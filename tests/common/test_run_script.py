@@ -16,21 +16,21 @@ class Copy:
         self.root = folder / "Schöne Flocken"
         self.commands = folder / "commands"
         self.commands.mkdir()
-        for name in ("bash", "basename", "cat", "dirname", "grep", "readlink"):
+        for name in ("awk", "bash", "basename", "cat", "df", "dirname", "grep", "readlink", "tail", "tee"):
             (self.commands / name).symlink_to(shutil.which(name))
         for step in STEPS:
             (self.root / step).mkdir(parents=True)
-        (self.root / "common").mkdir()
-        for script in ("run.sh", "install.sh"):
-            shutil.copy(ROOT / "common" / script, self.root / "common")
+        for script in ("common/run.sh", "common/install.sh", "common/build.sh", "tests/run.sh"):
+            (self.root / script).parent.mkdir(exist_ok=True)
+            shutil.copy(ROOT / script, self.root / script)
 
     def add(self, name, does):
         script = self.commands / name
         script.write_text(f"#!{shutil.which('bash')}\n{does}\n")
         script.chmod(0o755)
 
-    def run(self, *arguments, cwd=None, **environment):
-        command = [self.root / "common" / "run.sh", *arguments]
+    def run(self, *arguments, cwd=None, script="common/run.sh", **environment):
+        command = [self.root / script, *arguments]
         if os.geteuid() == 0:  # who may write everywhere, but for this
             command = [shutil.which("setpriv"), "--bounding-set=-dac_override", *command]
         return subprocess.run(command, cwd=cwd or self.root, env={"PATH": str(self.commands), **environment},
@@ -61,8 +61,8 @@ def test_no_such_step(copy):
     assert fails_with_one_line(copy.run("7"), 2, "'7'", "1 to 6")
 
 
-@pytest.mark.parametrize("what", ["picture", "build"])
-def test_a_folder_that_cannot_be_written_is_noticed_at_once(copy, tmp_path, what):
+@pytest.mark.parametrize("what, script", [("picture", "common/run.sh"), ("build", "common/run.sh"), ("build", "tests/run.sh")])
+def test_a_folder_that_cannot_be_written_is_noticed_at_once(copy, tmp_path, what, script):
     """Though nothing is installed yet, and nothing built."""
     folder = tmp_path / "shut"
     folder.mkdir()
@@ -70,21 +70,27 @@ def test_a_folder_that_cannot_be_written_is_noticed_at_once(copy, tmp_path, what
         folder = copy.root / "build"
         folder.mkdir()
     folder.chmod(0o555)
-    result = copy.run("3", cwd=folder if what == "picture" else tmp_path)
+    result = copy.run("3", cwd=folder if what == "picture" else tmp_path, script=script)
     assert fails_with_one_line(result, 1, folder, "cannot be written")
 
 
-@pytest.mark.parametrize("fails", ["-S", "--build"])
-def test_a_build_that_fails_ends_with_a_line_of_ours(copy, everything_installed, fails):
+@pytest.mark.parametrize("script", ["common/run.sh", "tests/run.sh"])
+@pytest.mark.parametrize("fails, left, remedy", [("-S", 9999999, "remove its folder"), ("--build", 9999999, "compiler"),
+                                                 ("-S", 12, "disk")])
+def test_a_build_that_fails_ends_with_a_line_of_ours(copy, everything_installed, script, fails, left, remedy):
     copy.add("cmake", f'if [[ $1 == {fails} ]]; then echo "its own words"; exit 3; fi')
-    result = copy.run("1")
+    (copy.commands / "df").unlink()
+    copy.add("df", f"echo Filesystem; echo /dev/a 1 2 {left} 4% /")
+    (copy.root / "build").mkdir()
+    result = copy.run(script=script)
     assert result.returncode == 1
     _, words, line = result.stderr.splitlines()
-    assert words == "its own words" and str(copy.root) in line
+    assert words == "its own words" and str(copy.root) in line and remedy in line
 
 
 def test_a_crash_is_told(copy, everything_installed):
     copy.add("cmake", "")
+    (copy.root / "build").mkdir()
     copy.add("xvfb-run", "exit 139")
     result = copy.run("1")
     assert result.returncode == 139
