@@ -31,6 +31,7 @@
 #define FRAME_UNIT 12   // the picture, linear
 #define TERRAIN_UNIT 13  // how high the ground stands
 #define TRIANGLES_UNIT 14
+#define BOXES_UNIT 15  // around triangles
 
 // Image units
 #define DEPTH_IMAGE 0

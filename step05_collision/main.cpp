@@ -19,12 +19,13 @@ void run(Window& window, const SolidScene& solid)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    const bool no_voxels = options.variant == "triangles";  // all of them for each flake
+    const bool no_voxels = options.variant != "voxels";
 
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     PingPong particles(flakes);
-    const TriangleTexture triangles(no_voxels ? solid.obstacle() : Scene{});
+    const TriangleTexture triangles(no_voxels ? solid.obstacle() : Scene{},
+                                    options.variant == "boxes");
     const Ledger ledger;
 
     UniformBlock<Weather> weather_block;
@@ -106,7 +107,8 @@ int main(int argc, char** argv)
     lesson.name = "step05_collision";
     lesson.idea = "the snow of step 4, landing on a scene that the GPU knows as voxels";
     lesson.minimum_gl = 3.3;
-    lesson.variants = {{"voxels", load_and_run}, {"triangles", load_and_run}};
+    lesson.variants = {
+        {"voxels", load_and_run}, {"triangles", load_and_run}, {"boxes", load_and_run}};
     lesson.has_scene = true;
     lesson.extensions = {"GL_ARB_shader_atomic_counters", "GL_ARB_shader_image_load_store",
                          "GL_ARB_shading_language_420pack"};

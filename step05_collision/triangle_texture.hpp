@@ -1,5 +1,5 @@
 // The triangles of the scene as a shader sees them: all corners of all in one long texture, 16
-// bytes each.
+// bytes each, and in another the boxes around them.
 #pragma once
 
 #include "common/bindings.glsl"
@@ -8,12 +8,15 @@
 
 class TriangleTexture {
 public:
-    // Throws std::runtime_error if the card cannot hold them.
-    explicit TriangleTexture(const Scene& scene);
+    // boxed: a box around every 64 triangles, in the order of the file, in which those of an object
+    // follow each other. Otherwise one box without ends around all. Throws std::runtime_error if
+    // the card cannot hold them.
+    TriangleTexture(const Scene& scene, bool boxed);
 
     // Hands them to the shaders (collide_triangles.glsl).
-    void bind() const { bind_texture(TRIANGLES_UNIT, GL_TEXTURE_BUFFER, texture_); }
+    void bind() const;
 
 private:
-    GlObject buffer_, texture_;
+    GlObject corners_ = make_buffer(), boxes_ = make_buffer();
+    GlObject corner_texture_ = make_texture(), box_texture_ = make_texture();
 };

@@ -20,7 +20,7 @@ VARIANTS = {
     "step02_vbo": ["subdata", "orphan", "persistent", "arrays", "soa"],
     "step03_shader_points": ["disc", "texture"],
     "step04_transform_feedback": ["feedback", "texture", "compute", "geometry"],
-    "step05_collision": ["voxels", "triangles"],
+    "step05_collision": ["voxels", "triangles", "boxes"],
     "step06_accumulation": ["winter", "cells"],
 }
 STEPS = list(VARIANTS)

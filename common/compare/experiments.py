@@ -115,7 +115,7 @@ def hills(settings, n):
 def scene_triangles(settings):
     return [Run("5", count, variant, 2 * n * n, variant, hills(settings, n))
             for count in settings.counts for n in (2, 7, 20, 70, 190)
-            for variant in ("voxels", "triangles")]
+            for variant in ("voxels", "triangles", "boxes")]
 
 
 def voxelisers(settings):
@@ -179,7 +179,7 @@ PATRICK = 'Patrick ("An Investigation of Snow Effects", 2000'
 HITCHEN = 'Hitchen ("Simulating Snowfall and Accumulation Through the GPU", 2019'
 PETTERSSON = 'Pettersson and Jin ("EDAN35: A Snow Particle System"'
 UP_TO_100_000 = 2 * ((1000, 10000, 100000),)
-FIXED_SCENE = {"runs": at_each_count(steps("5:voxels,5:triangles"), n=20),
+FIXED_SCENE = {"runs": at_each_count(steps("5:voxels,5:triangles,5:boxes"), n=20),
                "counts": ((10000, 30000, 100000, 300000, 1000000), (1000, 3000, 10000))}
 
 EXPERIMENTS = {experiment.name: experiment for experiment in (

@@ -20,13 +20,16 @@ bool solid(ivec3 cell)
 }
 
 #include "step05_collision/voxel_walk.glsl"
+#include "step05_collision/open_sky.glsl"
 
 Particle one_step(const Particle& old, uint index, uint step, const Weather& weather)
 {
     Particle p = settle(move(old, weather), weather);
     if (airborne(old)) p = collide(old.position, p, weather);
     p = accelerate(p, weather.wind, index, step, weather);
-    return gone(p, index, weather) ? born(index, step, weather) : p;
+    const Particle q = wrapped(p, index, weather);
+    const bool goes_on = q.position == p.position || open_sky(q.position);
+    return !goes_on || gone(q, index, weather) ? born(index, step, weather) : q;
 }
 
 }  // namespace snow

@@ -117,6 +117,12 @@ def test_triangles_and_voxels_land_flakes_in_the_same_place(programs, walk, scen
     assert (apart[both] <= diagonal).mean() >= 0.98
 
 
+@pytest.mark.parametrize("name", ["TABLE", "CORNERS"])
+def test_boxes_around_triangles_change_nothing(programs, scene, name):
+    """What they spare a flake it would not have met."""
+    assert programs.dump(*snow_on(scene(name), "boxes")) == programs.dump(*snow_on(scene(name), "triangles"))
+
+
 @pytest.mark.parametrize("variant", ["voxels", "triangles"])
 def test_no_snow_under_a_table_but_below_its_gap(programs, scene, variant):
     """Without wind. Turbulence shakes a flake sideways by some 10 cm over the last 2 m
@@ -136,7 +142,7 @@ def test_no_flake_slides_below_the_ground(programs, scene, name, variant):
     flakes = programs.flakes(STEP, "--scene", scene(name), "--variant", variant, "--voxels", 64,
                              "--particles", 4000, "--timelapse", 1000, "--frames", 1,
                              "--set", "wind_z=-6", "--set", "turbulence=20")
-    assert (flakes.rest > 0).sum() > 200
+    assert (flakes.rest > 0).sum() > 100
     assert (flakes.position[:, 1] >= 0).all()
 
 
