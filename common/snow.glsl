@@ -124,7 +124,9 @@ SNOW_INLINE float part_alive(float seconds, SNOW_IN(Weather) weather)
 
 // ---- Birth.
 
-// A flake at a random position in its cloud, drifting with the air.
+// A flake at a random position in its cloud, drifting with the air. In wind there are flakes in the
+// air that comes in, too, at any height: as many more as that is more than what falls out of the
+// cloud. So the air above the scene is as full of flakes in any wind.
 SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
 {
     Emitter cloud = emitter_of(index, weather);
@@ -135,6 +137,23 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
     p.age = 0.0f;
     p.velocity = weather.wind;
     p.rest = 0.0f;
+    if (weather.follow != 0u) return p;  // what leaves that air comes in again, see wrapped
+
+    float speed = terminal_speed(index, weather), height = cloud.centre.y;
+    float above = 4.0f * cloud.half_size.x * cloud.half_size.z * speed;  // m3/s, as are the others
+    float along_x = 2.0f * height * cloud.half_size.z * abs(weather.wind.x);
+    float along_z = 2.0f * height * cloud.half_size.x * abs(weather.wind.z);
+    float way_in = (above + along_x + along_z) * random_unit(index, tick, 7u, weather);
+    if (way_in >= along_x + along_z) return p;
+    vec3 upwind = cloud.centre - cloud.half_size * sign(weather.wind);
+    if (way_in < along_x) {
+        p.position.x = upwind.x;
+    } else {
+        p.position.z = upwind.z;
+    }
+    p.position.y = height * corner.y;
+    p.velocity.y -= speed;  // it has been falling, and for as long as it is below its cloud
+    p.age = (height - p.position.y) / speed;
     return p;
 }
 
@@ -249,23 +268,17 @@ SNOW_INLINE Particle accelerate(Particle p, vec3 air, uint index, uint tick,
     return p;
 }
 
-// In wind, and where the clouds go with the camera, the air under each repeats itself for ever
-// along x and z: a flake that is blown out on one side, or left behind, comes in on the other, as if
-// it had long been falling there. So the air above the scene is as full of flakes in any wind.
-SNOW_INLINE bool air_repeats(SNOW_IN(Weather) weather)
-{
-    return weather.follow != 0u || weather.wind.x != 0.0f || weather.wind.z != 0.0f;
-}
-
-// It is the same flake: nothing has left, nothing is released. One that lies stays where it fell.
+// Where the clouds go with the camera, the air under each repeats itself for ever along x and z: a
+// flake that the wind blows out on one side, or that a cloud leaves behind, comes in on the other,
+// as if it had long been falling there. It is the same flake: nothing has left, nothing is
+// released. A flake that lies stays where it fell.
 SNOW_INLINE Particle wrapped(Particle p, uint index, SNOW_IN(Weather) weather)
 {
-    if (!air_repeats(weather)) return p;
+    if (weather.follow == 0u || !airborne(p)) return p;
     Emitter cloud = emitter_of(index, weather);
     vec3 width = 2.0f * cloud.half_size;
     vec3 widths = floor((p.position - cloud.centre) / width + 0.5f);
-    vec3 shift = width * vec3(widths.x, 0.0f, widths.z);
-    p.position -= airborne(p) ? shift : vec3(0.0f);
+    p.position -= width * vec3(widths.x, 0.0f, widths.z);
     return p;
 }
 
@@ -275,11 +288,22 @@ SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
     return weather.melt_time - p.rest;
 }
 
+// Does wind blow flakes out of the air below their clouds?
+SNOW_INLINE bool wind_takes_flakes(SNOW_IN(Weather) weather)
+{
+    return weather.follow == 0u && (weather.wind.x != 0.0f || weather.wind.z != 0.0f);
+}
+
 // The rest of a flake's lifetime (s), which the time it lies does not count towards, or of its way
 // out of the world (m), whichever is less. A waiting flake is outside the world.
 SNOW_INLINE float life_left(Particle p, uint index, SNOW_IN(Weather) weather)
 {
     float way = min(p.position.y - weather.world_min, weather.world_max - p.position.y);
+    if (wind_takes_flakes(weather)) {
+        Emitter cloud = emitter_of(index, weather);
+        vec3 inside = cloud.half_size - abs(p.position - cloud.centre);
+        way = min(way, min(inside.x, inside.z));
+    }
     return min(lifetime(index, weather) - (p.age - p.rest), way);
 }
 
@@ -293,7 +317,6 @@ SNOW_INLINE bool gone(Particle p, uint index, SNOW_IN(Weather) weather)
 SNOW_INLINE Particle advance(Particle p, uint index, uint tick, SNOW_IN(Weather) weather)
 {
     p = accelerate(settle(move(p, weather), weather), weather.wind, index, tick, weather);
-    p = wrapped(p, index, weather);
     if (gone(p, index, weather)) p = born(index, tick, weather);
     return p;
 }

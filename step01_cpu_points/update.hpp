@@ -51,7 +51,7 @@ inline void update_block(std::span<Particle> flakes, uint first, uint tick, Weat
         Particle p = flakes[i];
         p = settle(move(p, weather), weather);
         p = accelerate(p, weather.wind, first + uint(i), tick, weather);
-        flakes[i] = wrapped(p, first + uint(i), weather);
+        flakes[i] = p;
     }
     give_birth(flakes, first, tick, weather);
 }
@@ -68,10 +68,8 @@ inline void update_in_one_loop(std::span<Particle> flakes, uint tick, Weather we
 inline void update_in_three_loops(std::span<Particle> flakes, uint tick, Weather weather)
 {
     for (Particle& flake : flakes) flake = settle(move(flake, weather), weather);
-    for (size_t i = 0; i < flakes.size(); ++i) {
-        const Particle p = accelerate(flakes[i], weather.wind, uint(i), tick, weather);
-        flakes[i] = wrapped(p, uint(i), weather);
-    }
+    for (size_t i = 0; i < flakes.size(); ++i)
+        flakes[i].velocity = accelerate(flakes[i], weather.wind, uint(i), tick, weather).velocity;
     for (size_t begin = 0; begin < flakes.size(); begin += block) {
         give_birth(block_at(flakes, begin), uint(begin), tick, weather);
     }

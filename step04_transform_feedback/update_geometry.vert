@@ -13,7 +13,6 @@ void main()
 {
     bool waited = old_age < 0.0;  // until now: only flakes whose time has come get here
     moved = accelerate(settle(move(load_flake(), weather), weather), weather.wind, old_index, tick, weather);
-    moved = wrapped(moved, old_index, weather);
     was_born = waited || gone(moved, old_index, weather) ? 1.0 : 0.0;
     if (was_born == 1.0) moved = born(old_index, tick, weather);
     moved_index = old_index;

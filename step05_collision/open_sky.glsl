@@ -1,5 +1,5 @@
-// Does nothing solid stand at this point, or anywhere above it? Only flakes that change sides ask (follow.glsl):
-// they may walk.
+// Does nothing solid stand at this point, or anywhere above it? Only flakes that come in ask (release.glsl): they
+// may walk.
 
 bool open_sky(vec3 position)
 {

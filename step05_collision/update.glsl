@@ -1,7 +1,7 @@
 // One time step of one flake, as in step 4, with the scene in its way. What happens to it is counted.
 
 #include "step04_transform_feedback/flake_state.glsl"
-#include "step05_collision/follow.glsl"
+#include "step05_collision/release.glsl"
 #include "step05_collision/ledger.glsl"
 
 // What becomes of a flake p that has just moved in a straight line from `from`.
@@ -15,9 +15,7 @@ void main()
     p = accelerate(p, weather.wind, index, tick, weather);
     if (!goes_on(p, index) || gone(p, index, weather)) {
         if (old_age >= 0.0) count_end(melt_left(p, weather) < 0.0);
-        p = born(index, tick, weather);
-        p.position.y += terrain_at(p.position);  // its cloud hangs above the ground
-        count_release();
+        if (release(p, index, tick)) count_release();
     }
     store_flake(p);
 }

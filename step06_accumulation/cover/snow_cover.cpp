@@ -23,6 +23,7 @@ double time_in_air(snow::Weather weather, snow::uint emitter)
 {
     weather.particles = 2;
     weather.variation = weather.turbulence = weather.swirl = 0;
+    weather.wind = {};
     weather.lifetime = std::numeric_limits<float>::max();
     snow::Particle flake = snow::born(emitter, 0, weather);
     flake.position.y = weather.emitters[emitter].centre.y;

@@ -7,7 +7,7 @@
 #include "step06_accumulation/cover/snow_cover.glsl"
 #include "step05_collision/voxel_walk.glsl"
 #include "step05_collision/open_sky.glsl"
-#include "step05_collision/follow.glsl"
+#include "step05_collision/release.glsl"
 
 layout(local_size_x = 128) in;
 
@@ -88,9 +88,7 @@ void update_flake()
     p = accelerate(p, air_at(p.position), index, tick, weather);
     if (!goes_on(p, index) || gone(p, index, weather)) {
         if (old.age >= 0.0) end_flake(p, index);
-        p = born(index, tick, weather);
-        p.position.y += terrain_at(p.position);  // its cloud hangs above the ground
-        count_release();
+        if (release(p, index, tick)) count_release();
     }
     flakes[i] = p;
 }

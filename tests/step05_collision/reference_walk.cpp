@@ -27,9 +27,12 @@ Particle one_step(const Particle& old, uint index, uint step, const Weather& wea
     Particle p = settle(move(old, weather), weather);
     if (airborne(old)) p = collide(old.position, p, weather);
     p = accelerate(p, weather.wind, index, step, weather);
-    const Particle q = wrapped(p, index, weather);
-    const bool goes_on = q.position == p.position || open_sky(q.position);
-    return !goes_on || gone(q, index, weather) ? born(index, step, weather) : q;
+    if (!gone(p, index, weather)) return p;
+    p = born(index, step, weather);
+    if (!wind_takes_flakes(weather) || open_sky(p.position)) return p;
+    p = unborn(index, weather);
+    p.age = -weather.time_step;
+    return p;
 }
 
 }  // namespace snow
