@@ -32,6 +32,7 @@
 #define TERRAIN_UNIT 13  // how high the ground stands
 #define TRIANGLES_UNIT 14
 #define BOXES_UNIT 15  // around triangles
+#define HEIGHTS_UNIT 16  // of the scene from above
 
 // Image units
 #define DEPTH_IMAGE 0

@@ -1,5 +1,5 @@
-// Does nothing solid stand at this point, or anywhere above it? Only flakes that come in ask (release.glsl): they
-// may walk.
+// Does nothing solid stand at this point, or anywhere above it? Only flakes that come in ask (release.glsl), so
+// the answer may take a walk.
 
 bool open_sky(vec3 position)
 {

@@ -1,5 +1,5 @@
-// Where flakes come into the air around the scene: out of their cloud, on the wind, or with --follow from the other
-// side. Never under a roof or in a wall.
+// Where flakes come into the air around the scene: out of their cloud, on the wind, or with --follow from the
+// other side. Never under a roof or in a wall.
 
 #include "common/weather_block.glsl"
 #include "step05_collision/terrain.glsl"
@@ -17,8 +17,8 @@ bool release(out Particle p, uint index, uint tick)
     return false;
 }
 
-// Takes the flake to the other side if it has left (see wrapped in common/snow.glsl), as high above the ground there
-// as it was here. Returns false if no snow can be falling there: then it is to be born again.
+// Takes the flake to the other side if it has left (see wrapped in common/snow.glsl), as high above the ground
+// there as it was here. Returns false if no snow can be falling there: then it is to be born again.
 bool goes_on(inout Particle p, uint index)
 {
     vec3 before = p.position;

@@ -26,7 +26,7 @@ void run(Window& window, const SolidScene& solid, const Settings& settings)
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     const ParticleBuffer particles(flakes);
-    SnowCover cover(options.voxels);
+    SnowCover cover(options.voxels, options.voxels);
     const Ledger ledger;
     Columns columns(solid, cover);
 
@@ -98,6 +98,7 @@ void run(Window& window, const SolidScene& solid, const Settings& settings)
     cover.report(solid.grid, options.dump_cover);
 }
 
+void run_heightmap(Window& window, const SolidScene& solid);  // heightmap.cpp
 void run_winter(Window& window, const SolidScene& solid, const Settings& settings);  // winter.cpp
 
 int main(int argc, char** argv)
@@ -107,7 +108,10 @@ int main(int argc, char** argv)
     const auto load_and_run = [&settings](Window& window) {
         const SolidScene solid(window);
         do {
-            (window.options().variant == "cells" ? run : run_winter)(window, solid, settings);
+            const std::string& variant = window.options().variant;
+            if (variant == "winter") run_winter(window, solid, settings);
+            if (variant == "cells") run(window, solid, settings);
+            if (variant == "heightmap") run_heightmap(window, solid);
         } while (window.restarted());
     };
     Lesson lesson;
@@ -115,7 +119,8 @@ int main(int argc, char** argv)
     lesson.idea = "the snow of step 5, piling up on the scene: the full system";
     lesson.minimum_gl = 4.3;
     lesson.variants = {{"winter", load_and_run, settings.parameters()},
-                       {"cells", load_and_run, settings.cover.parameters()}};
+                       {"cells", load_and_run, settings.cover.parameters()},
+                       {"heightmap", load_and_run}};
     lesson.has_scene = true;
     lesson.has_cover = true;
     return run_lesson(argc, argv, lesson);

@@ -2,6 +2,7 @@
 // The variant "cells": the air moves as in every step before.
 
 #include "step06_accumulation/cover/update.glsl"
+#include "step06_accumulation/cover/deposit.glsl"
 
 vec3 air_at(vec3 position)
 {

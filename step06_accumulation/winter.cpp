@@ -60,7 +60,7 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
     std::vector<Particle> flakes = make_flakes(weather);
     uint tick = 0;  // time steps made so far
     const ParticleBuffer particles(flakes);
-    SnowCover cover(options.voxels);
+    SnowCover cover(options.voxels, options.voxels);
     const Ledger ledger;
     Columns columns(solid, cover);
     UniformBlock<Weather> weather_block;

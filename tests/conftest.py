@@ -21,7 +21,7 @@ VARIANTS = {
     "step03_shader_points": ["disc", "texture"],
     "step04_transform_feedback": ["feedback", "texture", "compute", "geometry"],
     "step05_collision": ["voxels", "triangles", "boxes"],
-    "step06_accumulation": ["winter", "cells"],
+    "step06_accumulation": ["winter", "cells", "heightmap"],
 }
 STEPS = list(VARIANTS)
 STEP_VARIANTS = [(step, variant) for step in STEPS for variant in VARIANTS[step]]

@@ -56,20 +56,24 @@ void Columns::measure(unsigned tick, int ticks)
 
 void Columns::dispatch(Program& program, unsigned tick, int ticks) const
 {
-    const int n = solid_.grid.resolution;
     program.use();
     program.set("scene_top", scene_top_);
     cover_.bind();
-    // A time step looks after one of every 8 x 8 columns. Four that follow each other lie 4 apart,
-    // where they are no neighbours yet: a frame that has made four steps looks after them at once.
+    dispatch_turns(program, solid_.grid.resolution, tick, ticks);
+}
+
+// A time step looks after one of every 8 x 8 columns. Four that follow each other lie 4 apart,
+// where they are no neighbours yet: a frame that has made four steps looks after them at once.
+void dispatch_turns(Program& program, int resolution, unsigned tick, int ticks)
+{
     for (unsigned turn = tick - unsigned(ticks); turn != tick;) {
-        const int four = int(turn % steps_per_round) / 4, one = int(turn % 4);
+        const int four = int(turn % Columns::steps_per_round) / 4, one = int(turn % 4);
         const bool at_once = one == 0 && tick - turn >= 4;
         const int stride = at_once ? 4 : 8;
         program.set("first_x", four % 4 + 4 * (one % 2));
         program.set("first_z", four / 4 + 4 * (one / 2));
         program.set("stride", stride);
-        const unsigned groups = unsigned(n / stride + 7) / 8;  // 8: local_size_x and _y
+        const unsigned groups = unsigned(resolution / stride + 7) / 8;  // 8: local_size_x and _y
         // What came before has read what this writes, and written what this reads.
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
         glDispatchCompute(groups, groups, 1);

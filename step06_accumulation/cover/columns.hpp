@@ -22,6 +22,10 @@ struct CoverSettings {
 // A 3D texture with n texels along each edge, filtered, in which all is 0.
 GlObject make_volume(GLint format, int n);
 
+// Runs a compute shader of column.glsl, `program`, which is in use, on the columns of a grid whose
+// turn it was in the last `ticks` time steps, up to number `tick`.
+void dispatch_turns(Program& program, int resolution, unsigned tick, int ticks);
+
 class Columns {
 public:
     Columns(const SolidScene& solid, const SnowCover& cover);
@@ -35,8 +39,7 @@ public:
     void melt(unsigned tick, int ticks, const snow::Weather& weather);
     void measure(unsigned tick, int ticks);
 
-    // Runs a compute shader of column.glsl, `program`, on the columns whose turn it was in those
-    // time steps.
+    // Has a compute shader of column.glsl do its work in those time steps.
     void dispatch(Program& program, unsigned tick, int ticks) const;
 
     // The depths, as depth.comp leaves them.

@@ -38,11 +38,11 @@ double time_in_air(snow::Weather weather, snow::uint emitter)
 
 }  // namespace
 
-SnowCover::SnowCover(int resolution)
-    : resolution_(resolution), mass_(make_buffer()), sums_(make_buffer())
+SnowCover::SnowCover(int resolution, int layers)
+    : resolution_(size_t(resolution)), layers_(size_t(layers)), mass_(make_buffer()),
+      sums_(make_buffer())
 {
-    const size_t n = size_t(resolution_);
-    const GLsizeiptr bytes = GLsizeiptr(n * n * n * sizeof(GLuint));
+    const auto bytes = GLsizeiptr(resolution_ * layers_ * resolution_ * sizeof(GLuint));
     GLint64 largest = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
     if (bytes > largest) {
@@ -93,7 +93,7 @@ float SnowCover::flake_mass(const snow::Weather& weather, const VoxelGrid& grid)
 
 std::vector<GLuint> SnowCover::read() const
 {
-    std::vector<GLuint> mass(size_t(resolution_) * size_t(resolution_) * size_t(resolution_));
+    std::vector<GLuint> mass(resolution_ * layers_ * resolution_);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, mass_);
     glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(mass.size() * sizeof(GLuint)),
@@ -118,11 +118,11 @@ void SnowCover::report(const VoxelGrid& grid, const std::filesystem::path& path)
     std::ostringstream csv;
     csv << "# origin " << grid.origin.x << " " << grid.origin.y << " " << grid.origin.z << " cell "
         << grid.cell_size << " full 65536\ni,j,k,mass\n";
-    const size_t n = size_t(resolution_);
+    const size_t n = resolution_;
     for (size_t cell = 0; cell < mass.size(); ++cell) {
         if (mass[cell] == 0) continue;
-        csv << cell % n << "," << cell / n % n << "," << cell / (n * n) << "," << mass[cell]
-            << "\n";
+        csv << cell % n << "," << cell / n % layers_ << "," << cell / (n * layers_) << ","
+            << mass[cell] << "\n";
     }
     write_file(path, csv.str());
 }

@@ -13,9 +13,11 @@
 
 class SnowCover {
 public:
-    // For a grid with that many voxels along each edge. Throws std::runtime_error if the card has no
-    // buffer that large.
-    explicit SnowCover(int resolution);
+    // For a grid with that many voxels along x and z, and so many layers of them. Throws
+    // std::runtime_error if the card has no buffer that large.
+    SnowCover(int resolution, int layers);
+
+    GLuint buffer() const { return mass_; }
 
     // Lets the shaders of snow_cover.glsl add to it and take from it.
     void bind() const;
@@ -35,7 +37,7 @@ public:
     void report(const VoxelGrid& grid, const std::filesystem::path& path) const;
 
 private:
-    int resolution_;
+    size_t resolution_, layers_;
     GlObject mass_, sums_;
     std::optional<snow::Weather> weather_;  // for which flake_mass_ was computed
     float flake_mass_ = 0;

@@ -2,6 +2,7 @@
 // The variant "winter": the air flows around the scene, and only flakes that live are moved.
 
 #include "step06_accumulation/cover/update.glsl"
+#include "step06_accumulation/cover/deposit.glsl"
 #include "step06_accumulation/winter/flakes/live.glsl"
 #include "step06_accumulation/winter/wind/wind_field.glsl"
 

@@ -138,7 +138,7 @@ def test_numbers(fakes):
     assert result.returncode == 0, result.stderr
     assert written(fakes) == ["compare.csv", "compare.md", "compare.png"]
     frames = frames_of(fakes)
-    assert len(frames) == (6 + 1) * 2 * 2  # step 6 in both variants
+    assert len(frames) == (6 + 2) * 2 * 2  # step 6 in three variants
     for row in frames:
         first = int(row["step"][4:6]) * (1 + int(row["particles"])) / 1000
         assert (float(row["median_ms"]), float(row["p95_ms"])) == pytest.approx((first + 10, first + 19))

@@ -101,7 +101,7 @@ protected:
     Harness window{command()};
     const double slope = std::tan(glm::radians(window.options().weather.repose));  // the steepest
     SolidScene solid{window};
-    SnowCover cover{solid.grid.resolution};
+    SnowCover cover{solid.grid.resolution, solid.grid.resolution};
     Columns columns{solid, cover};
     UniformBlock<snow::Weather> weather_block;
 };

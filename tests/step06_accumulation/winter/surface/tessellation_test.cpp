@@ -18,7 +18,7 @@ TEST(Tessellation, DividesNothingWhereNoSnowLies)
     command.frames = 1;
     Harness window(command);
     const SolidScene solid(window);
-    const SnowCover cover(command.voxels);
+    const SnowCover cover(command.voxels, command.voxels);
     const Columns columns(solid, cover);
     FrameBlock frame(solid);
     UniformBlock<snow::Weather> weather_block;
