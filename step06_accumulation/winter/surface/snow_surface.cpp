@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "step05_collision/ground.hpp"
-#include "step06_accumulation/winter/surface/hollows.hpp"
 
 namespace {
 
@@ -24,14 +23,14 @@ constexpr float least_upward = 0.1f;  // normal.y, as in scene.frag of step 6
 
 using Point = std::array<float, 3>;
 
-Point point_of(const Vertex& v)
+Point point_of(glm::vec3 position)
 {
-    return {v.position.x, v.position.y, v.position.z};
+    return {position.x, position.y, position.z};
 }
 
-// Steep surfaces are displaced less. A point is displaced alike in all triangles that meet there, or
-// there would be gaps.
-void displace_less_where_steep(std::vector<SurfaceSubmesh>& submeshes)
+// Steep surfaces are displaced less, a point alike in all triangles that meet there, or there would
+// be gaps. And deep snow faces the way that all within a box around it does.
+void fit_snow(std::vector<SurfaceSubmesh>& submeshes)
 {
     const auto each = [&](const auto& change) {
         for (SurfaceSubmesh& submesh : submeshes) {
@@ -39,14 +38,22 @@ void displace_less_where_steep(std::vector<SurfaceSubmesh>& submeshes)
             for (SurfaceVertex& vertex : submesh.coarse) change(vertex);
         }
     };
+    const auto box_of = [](const SurfaceVertex& v) {
+        return point_of(glm::floor(v.vertex.position / 0.5f));  // 0.5: m
+    };
     std::map<Point, float> displacement;
+    std::map<Point, glm::vec3> facing;
     each([&](const SurfaceVertex& v) {
         if (v.skirt != 0) return;  // its normal points to the side
-        float& most = displacement[point_of(v.vertex)];
+        float& most = displacement[point_of(v.vertex.position)];
         // As in surface.frag.
         most = std::max(most, glm::smoothstep(least_upward, 0.4f, v.vertex.normal.y));
+        facing[box_of(v)] += v.vertex.normal;
     });
-    each([&](SurfaceVertex& v) { v.displacement *= displacement[point_of(v.vertex)]; });
+    each([&](SurfaceVertex& v) {
+        v.displacement *= displacement[point_of(v.vertex.position)];
+        v.even_normal = v.skirt != 0 ? v.vertex.normal : glm::normalize(facing[box_of(v)]);
+    });
 }
 
 }  // namespace
@@ -104,8 +111,8 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
             }
             add({a, 1, 0}, {b, 1, 0}, {c, 1, 0});
             for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-                if (border.erase({point_of(to), point_of(from)}) == 0)
-                    border.insert({{point_of(from), point_of(to)}, {from, to}});
+                if (border.erase({point_of(to.position), point_of(from.position)}) == 0)
+                    border.insert({{point_of(from.position), point_of(to.position)}, {from, to}});
             }
         }
     }
@@ -120,7 +127,7 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
         add({to, 1, 1}, {from, 1, 1}, {from, 0, 1});
         add({to, 1, 1}, {from, 0, 1}, {to, 0, 1});
     }
-    displace_less_where_steep(submeshes);
+    fit_snow(submeshes);
     return submeshes;
 }
 
@@ -189,8 +196,6 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     };
     std::vector<SurfaceSubmesh> submeshes =
         make_snow_surface(solid.drawn, 3 * solid.grid.cell_size);
-    // Where cells are wider than a hollow, there is nothing to be seen of it, and much to search.
-    if (solid.grid.cell_size < 0.3f) find_hollows(submeshes);
     const SurfaceSubmesh field = make_field(solid.grid, solid.drawn.vertices.empty());
     // The last has no picture, as the field.
     std::vector<SurfaceVertex>& last = submeshes.back().coarse;
@@ -220,7 +225,7 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     field_of(3, 2, offsetof(Vertex, uv));
     field_of(4, 1, offsetof(SurfaceVertex, displacement));
     field_of(5, 1, offsetof(SurfaceVertex, skirt));
-    field_of(6, 4, offsetof(SurfaceVertex, even));
+    field_of(6, 3, offsetof(SurfaceVertex, even_normal));
 }
 
 void SnowSurface::draw(unsigned features, bool tessellated, float lamp_is_on)

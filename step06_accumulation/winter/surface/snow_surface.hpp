@@ -12,9 +12,7 @@ struct SurfaceVertex {
     Vertex vertex;
     float displacement;  // 1: moves with the snow, 0: stays; less than 1 where it is steep
     float skirt;         // 1: on the snow's side
-    // The surface when deep snow has filled its hollows: its normal, and how far above it lies, m.
-    // See hollows.hpp.
-    glm::vec4 even{0, 1, 0, 0};
+    glm::vec3 even_normal{0, 1, 0};  // of deep snow, which fills the hollows of the surface
 };
 
 // Three vertices in a row make a triangle.

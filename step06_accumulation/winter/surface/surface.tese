@@ -14,7 +14,6 @@ void main()
     precise vec3 position = t.x * control[0].position + t.y * control[1].position + t.z * control[2].position;
     precise float displacement =
         t.x * control[0].displacement + t.y * control[1].displacement + t.z * control[2].displacement;
-    precise vec4 even = t.x * control[0].even + t.y * control[1].even + t.z * control[2].even;
     Corner between;
     between.position = position;
     between.normal = t.x * control[0].normal + t.y * control[1].normal + t.z * control[2].normal;
@@ -22,6 +21,7 @@ void main()
     between.uv = t.x * control[0].uv + t.y * control[1].uv + t.z * control[2].uv;
     between.displacement = displacement;
     between.skirt = control[0].skirt;
-    between.even = even;
+    between.even_normal =
+        t.x * control[0].even_normal + t.y * control[1].even_normal + t.z * control[2].even_normal;
     put_on_snow(between);
 }
