@@ -3,6 +3,15 @@
 #include <string>
 #include <utility>
 
+unsigned features_of(const Settings& s, const snow::Weather& weather)
+{
+    const bool windy = weather.wind.x != 0 || weather.wind.z != 0;
+    const bool lamp = s.lamp && s.sun_height < Settings::lamp_off_height;
+    return (s.shadow ? SHADOW : 0) | (s.occlusion ? OCCLUSION : 0) | (lamp ? LAMP : 0) |
+           (s.sparkle ? SPARKLE : 0) | (s.dusting && windy ? DUSTING : 0) | (s.blur ? BLUR : 0) |
+           (s.bloom > 0 ? BLOOM : 0) | (s.wind_field && windy ? WIND_FIELD : 0);
+}
+
 Permutations::Permutations(std::vector<Shader> shaders, unsigned known)
     : shaders_(std::move(shaders)), known_(known)
 {}

@@ -15,11 +15,7 @@ in vec4 air;  // see air.glsl
 
 out vec4 colour;
 
-#ifdef LAMP
 uniform vec3 own_light;  // what the surface shines by itself
-#else
-const vec3 own_light = vec3(0.0);
-#endif
 
 // How much of the wall is hidden, 0 to 1: the more it snows on it, which the wind does where it meets the wall
 // and where nothing is before that, which is where the sky is seen.

@@ -136,30 +136,31 @@ SurfaceSubmesh make_field(const VoxelGrid& grid, bool with_middle)
     constexpr float farthest = 1500;  // m
     constexpr float margin = 1;       // m, of the ring in which snow becomes that of the field
     constexpr float wider = 2;        // each other one than the one inside it
-    const int square = ground_square(grid), squares = (grid.resolution + square - 1) / square;
     const float half_size = 0.5f * grid.cell_size * float(grid.resolution);
-    const glm::vec2 middle = glm::vec2(grid.origin.x, grid.origin.z) + half_size;
-    const auto corner = [&](float size, int side, int i) {
-        const float t = float(std::min(i * square, grid.resolution)) / float(grid.resolution);
-        // Along two of the sides, which run the other way, so that corners match the ground's.
-        glm::vec2 at(2 * (side < 2 ? t : 1 - t) - 1, 1);
-        if (side % 2 == 1) at = {-at.y, at.x};
-        if (side == 2) at = {at.x, -1};
-        if (side == 3) at = {1, at.y};
-        at = middle + size * at;
-        const Vertex vertex{{at.x, ground_height, at.y}, {0, 1, 0}, ground_colour, {}};
+    std::vector<float> knots{-half_size, half_size};  // m from the middle, along x and z
+    for (int voxel = ground_square(grid); voxel < grid.resolution; voxel += ground_square(grid))
+        knots.push_back(float(voxel) * grid.cell_size - half_size);
+    for (float outer = half_size + margin; outer < wider * farthest; outer *= wider)
+        knots.insert(knots.end(), {-outer, outer});
+    std::sort(knots.begin(), knots.end());
+    const auto corner = [&](size_t x, size_t z) {
+        const glm::vec3 at(knots[x] + half_size, 0, knots[z] + half_size);
+        const Vertex vertex{{grid.origin.x + at.x, ground_height, grid.origin.z + at.z},
+                            {0, 1, 0},
+                            ground_colour,
+                            {}};
         return SurfaceVertex{vertex, 1, 0};
     };
     SurfaceSubmesh field;
-    float inner = with_middle ? 0 : half_size;
-    for (float outer = half_size + margin; inner < farthest; inner = outer, outer *= wider) {
-        std::vector<SurfaceVertex>& ring = inner == half_size ? field.coarse : field.bare;
-        for (int side = 0; side < 4; ++side) {
-            for (int i = 0; i < squares; ++i) {
-                const SurfaceVertex a = corner(inner, side, i), b = corner(inner, side, i + 1),
-                                    c = corner(outer, side, i), d = corner(outer, side, i + 1);
-                ring.insert(ring.end(), {a, c, d, a, d, b});
-            }
+    for (size_t x = 0; x + 1 < knots.size(); ++x) {
+        for (size_t z = 0; z + 1 < knots.size(); ++z) {
+            const float away = std::max({-knots[x], knots[x + 1], -knots[z], knots[z + 1]});
+            if (away <= half_size && !with_middle) continue;
+            const bool joins = away <= half_size + margin && !with_middle;
+            const SurfaceVertex a = corner(x, z), b = corner(x, z + 1), c = corner(x + 1, z),
+                                d = corner(x + 1, z + 1);
+            std::vector<SurfaceVertex>& ring = joins ? field.coarse : field.bare;
+            ring.insert(ring.end(), {a, b, d, a, d, c});
         }
     }
     return field;
