@@ -106,19 +106,6 @@ FrameBlock::FrameBlock(const SolidScene& solid)
 const snow::Frame& FrameBlock::update(const Window& window, const Settings& settings, unsigned tick)
 {
     const snow::Weather& weather = window.options().weather;
-    see(window);
-    cover_field(weather, settings.cover.melting, tick);
-    light(weather, settings, float(tick) * weather.time_step);
-    frame_.exposure = settings.exposure;
-    frame_.bloom = settings.bloom;
-    frame_.colours = int(std::lround(settings.colours));
-    block_.update(FRAME_BLOCK, frame_);
-    return frame_;
-}
-
-void FrameBlock::see(const Window& window)
-{
-    const snow::Weather& weather = window.options().weather;
     const bool first = frame_.window_size.x == 0;
     frame_.view_before = first ? window.view() : frame_.view;
     frame_.view = window.view();
@@ -131,6 +118,13 @@ void FrameBlock::see(const Window& window)
             float(window.ticks()) * weather.time_step / float(window.options().timelapse);
     }
     frame_.window_size = window.size();
+    cover_field(weather, settings.cover.melting, tick);
+    light(weather, settings, float(tick) * weather.time_step);
+    frame_.exposure = settings.exposure;
+    frame_.bloom = settings.bloom;
+    frame_.colours = int(std::lround(settings.colours));
+    block_.update(FRAME_BLOCK, frame_);
+    return frame_;
 }
 
 // Adds to the snow on open ground what has come and gone since the frame before.

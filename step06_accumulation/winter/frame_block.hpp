@@ -22,7 +22,6 @@ public:
     const snow::Frame& update(const Window& window, const Settings& settings, unsigned tick);
 
 private:
-    void see(const Window& window);
     void cover_field(const snow::Weather& weather, bool melting, unsigned tick);
     void light(const snow::Weather& weather, const Settings& settings, float seconds);
 

@@ -21,8 +21,8 @@ Program& Permutations::use(unsigned features)
     features &= known_;
     auto program = programs_.find(features);
     if (program == programs_.end()) {
-        const char* const names[] = {"SHADOW",  "OCCLUSION", "LAMP",  "SPARKLE",
-                                     "DUSTING", "BLUR",      "BLOOM", "WIND_FIELD"};
+        const char* const names[] = {"SHADOW", "OCCLUSION", "LAMP",       "SPARKLE",    "DUSTING",
+                                     "BLUR",   "BLOOM",     "WIND_FIELD", "TESSELLATED"};
         std::string defines;
         for (size_t i = 0; i < std::size(names); ++i) {
             if (features >> i & 1u) defines += "#define " + std::string(names[i]) + "\n";

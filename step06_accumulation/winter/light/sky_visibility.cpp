@@ -17,28 +17,11 @@ using glm::vec4;
 constexpr int most_cells = 64;  // along each edge of the grid's cube
 constexpr int directions = 32;  // evenly spread over the sky
 
-// The voxels, several to a cell: how much of the light that comes along is lost in each.
+// How much of the light that comes along is lost in each cell, which is several voxels wide.
 struct Opacity {
-    explicit Opacity(const VoxelGrid& grid)
-        : cells(std::min(grid.resolution, most_cells)), voxels(grid.resolution / cells),
-          values(size_t(cells) * size_t(cells) * size_t(cells))
-    {
-        // A wall one voxel thick is to hold back all of it.
-        const float of_one_voxel = 1.0f / float(voxels * voxels);
-        const int row = grid.resolution / 32;  // words
-        for (size_t word = 0; word < grid.words.size(); ++word) {
-            if (grid.words[word] == 0) continue;
-            const ivec3 first(int(word) % row * 32, int(word) / row % grid.resolution,
-                              int(word) / row / grid.resolution);
-            for (int bit = 0; bit < 32; ++bit) {
-                if (((grid.words[word] >> bit) & 1u) == 0) continue;
-                const ivec3 voxel = first + ivec3(bit, 0, 0);
-                float& value = values[index(voxel / voxels)];
-                value = std::min(value + of_one_voxel, 1.0f);
-                top = std::max(top, voxel.y / voxels + 1);
-            }
-        }
-    }
+    int cells;  // along each edge of the cube
+    int top;    // no layer from here on up holds anything
+    std::vector<float> values;
 
     size_t index(ivec3 cell) const
     {
@@ -58,32 +41,39 @@ struct Opacity {
         }
         return light;
     }
-
-    int cells, voxels;  // along each edge of the cube; along each edge of a cell
-    int top = 0;        // no layer from here on up holds anything
-    std::vector<float> values;
 };
 
-// Directions above the horizon, each for an equal share of the sky: a spiral that turns by the
-// golden angle from each to the next.
-std::array<vec3, directions> sky_directions()
+Opacity opacity_of(const VoxelGrid& grid)
 {
-    std::array<vec3, directions> result;
-    for (int i = 0; i < directions; ++i) {
-        const float up = (float(i) + 0.5f) / directions;
-        const float turn = float(i) * glm::pi<float>() * (3 - std::sqrt(5.0f));
-        const float across = std::sqrt(1 - up * up);
-        result[size_t(i)] = {across * std::cos(turn), up, across * std::sin(turn)};
+    Opacity opacity{std::min(grid.resolution, most_cells), 0, {}};
+    opacity.values.resize(opacity.index({0, 0, opacity.cells}));
+    const int voxels = grid.resolution / opacity.cells;  // along each edge of a cell
+    for (size_t i = 0; i < 32 * grid.words.size(); ++i) {
+        if (grid.words[i / 32] == 0) i += 31;
+        if ((grid.words[i / 32] >> i % 32 & 1u) == 0) continue;
+        const size_t n = size_t(grid.resolution);
+        const ivec3 cell = ivec3(int(i % n), int(i / n % n), int(i / n / n)) / voxels;
+        // A wall one voxel thick is to hold back all of the light.
+        float& value = opacity.values[opacity.index(cell)];
+        value = std::min(value + 1.0f / float(voxels * voxels), 1.0f);
+        opacity.top = std::max(opacity.top, cell.y + 1);
     }
-    return result;
+    return opacity;
 }
 
 }  // namespace
 
 GlObject make_sky_visibility(const VoxelGrid& grid)
 {
-    const Opacity opacity(grid);
-    const std::array<vec3, directions> sky = sky_directions();
+    const Opacity opacity = opacity_of(grid);
+    // Directions above the horizon, each for an equal share of the sky: a spiral that turns by the
+    // golden angle from each to the next.
+    std::array<vec3, directions> sky;
+    for (int i = 0; i < directions; ++i) {
+        const float up = (float(i) + 0.5f) / directions, across = std::sqrt(1 - up * up);
+        const float turn = float(i) * glm::pi<float>() * (3 - std::sqrt(5.0f));
+        sky[size_t(i)] = {across * std::cos(turn), up, across * std::sin(turn)};
+    }
 
     // A surface that faces n receives from an even sky of brightness 1, which it sees in the
     // directions where v(d) is 1, very nearly: mean of v + 2 n . (mean of v d), the means over all

@@ -2,22 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
-#include <cstring>
 #include <map>
 #include <utility>
 
 #include "step05_collision/ground.hpp"
 
 namespace {
-
-// Some order of vertices, to find those that are the same.
-struct BytewiseLess {
-    bool operator()(const SurfaceVertex& a, const SurfaceVertex& b) const
-    {
-        return std::memcmp(&a, &b, sizeof a) < 0;
-    }
-};
 
 constexpr float least_upward = 0.1f;  // normal.y, as in scene.frag of step 6
 
@@ -56,6 +48,11 @@ void fit_snow(std::vector<SurfaceSubmesh>& submeshes)
     });
 }
 
+float length(const Vertex& from, const Vertex& to)
+{
+    return glm::distance(from.position, to.position);
+}
+
 }  // namespace
 
 std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_enough)
@@ -63,10 +60,8 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
     const float longest = std::max(1.0f, fine_enough);  // m
     std::vector<SurfaceSubmesh> submeshes;
     const auto add = [&](const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
-        const auto longer = [&](const SurfaceVertex& p, const SurfaceVertex& q) {
-            return glm::distance(p.vertex.position, q.vertex.position) > fine_enough;
-        };
-        const bool coarse = longer(a, b) || longer(b, c) || longer(c, a);
+        const bool coarse = std::max({length(a.vertex, b.vertex), length(b.vertex, c.vertex),
+                                      length(c.vertex, a.vertex)}) > fine_enough;
         std::vector<SurfaceVertex>& corners =
             coarse ? submeshes.back().coarse : submeshes.back().fine;
         corners.insert(corners.end(), {a, b, c});
@@ -83,26 +78,19 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
             submeshes.emplace_back();
         left.push_back({scene.corner(i), scene.corner(i + 1), scene.corner(i + 2)});
         while (!left.empty()) {
-            const std::array<Vertex, 3> triangle = left.back();
+            std::array<Vertex, 3> triangle = left.back();
             left.pop_back();
-            const glm::vec3 across = glm::cross(triangle[1].position - triangle[0].position,
-                                                triangle[2].position - triangle[0].position);
+            auto& [a, b, c] = triangle;
+            const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
             if (across.y <= least_upward * glm::length(across)) {
                 for (const Vertex& vertex : triangle)
                     submeshes.back().bare.push_back({vertex, 0, 0});
                 continue;
             }
             // Turned so that the longest edge comes first.
-            size_t split = 0;
-            const auto length = [&](size_t edge) {
-                return glm::distance(triangle[edge].position, triangle[(edge + 1) % 3].position);
-            };
-            for (const size_t edge : {1, 2}) {
-                if (length(edge) > length(split)) split = edge;
-            }
-            const Vertex a = triangle[split], b = triangle[(split + 1) % 3],
-                         c = triangle[(split + 2) % 3];
-            if (length(split) > longest) {
+            while (length(a, b) < std::max(length(b, c), length(c, a)))
+                std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+            if (length(a, b) > longest) {
                 const Vertex middle{0.5f * (a.position + b.position), 0.5f * (a.normal + b.normal),
                                     0.5f * (a.colour + b.colour), 0.5f * (a.uv + b.uv)};
                 left.push_back({a, middle, c});
@@ -178,19 +166,20 @@ SnowSurface::SnowSurface(const SolidScene& solid)
                 {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}},
                SHADOW | OCCLUSION | LAMP | SPARKLE),
       on_snow_tessellated_(
-          {{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface_patch.vert"},
+          {{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface.vert"},
            {GL_TESS_CONTROL_SHADER, "step06_accumulation/winter/surface/surface.tesc"},
            {GL_TESS_EVALUATION_SHADER, "step06_accumulation/winter/surface/surface.tese"},
            {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}},
-          SHADOW | OCCLUSION | LAMP | SPARKLE)
+          SHADOW | OCCLUSION | LAMP | SPARKLE | TESSELLATED)
 {
     std::vector<SurfaceVertex> vertices;
     std::vector<uint32_t> indices;
-    std::map<SurfaceVertex, uint32_t, BytewiseLess> known;
+    std::map<std::array<uint32_t, sizeof(SurfaceVertex) / 4>, uint32_t> known;  // by their bits
     const auto add = [&](std::vector<Range>& ranges, const std::vector<SurfaceVertex>& corners) {
         ranges.push_back({ranges.size(), indices.size(), GLsizei(corners.size())});
         for (const SurfaceVertex& corner : corners) {
-            const auto [found, is_new] = known.insert({corner, uint32_t(vertices.size())});
+            const auto [found, is_new] = known.insert(
+                {std::bit_cast<decltype(known)::key_type>(corner), uint32_t(vertices.size())});
             if (is_new) vertices.push_back(corner);
             indices.push_back(found->second);
         }
@@ -236,7 +225,7 @@ void SnowSurface::draw(unsigned features, bool tessellated, float lamp_is_on)
     draw(GL_TRIANGLES, fine_, on_snow_.use(features), lamp_is_on);
     if (tessellated) {
         glPatchParameteri(GL_PATCH_VERTICES, 3);
-        draw(GL_PATCHES, coarse_, on_snow_tessellated_.use(features), lamp_is_on);
+        draw(GL_PATCHES, coarse_, on_snow_tessellated_.use(features | TESSELLATED), lamp_is_on);
     } else {
         draw(GL_TRIANGLES, coarse_, on_snow_.use(features), lamp_is_on);
     }

@@ -16,9 +16,9 @@ struct AirFlow {
     std::vector<float> open[3];       // fraction of the face that the scene leaves free, 0 to 1
     float residual;  // largest net flow out of a cell, relative to that through a face
 
-    static size_t face(int i, int j, int k)
+    static size_t face(glm::ivec3 cell)  // the index of its lower face
     {
-        return (size_t(k) * (cells + 1) + size_t(j)) * (cells + 1) + size_t(i);
+        return (size_t(cell.z) * (cells + 1) + size_t(cell.y)) * (cells + 1) + size_t(cell.x);
     }
     glm::vec3 at_cell(glm::ivec3 cell) const;  // m/s, the mean of the cell's faces
 };
@@ -46,7 +46,7 @@ private:
         std::vector<glm::vec3> velocity;  // m/s in each cell
         GlObject texture;                 // the same on the GPU
     };
-    const Flow& flow(float along_x, float along_z);
+    const Flow& flow(int axis, float wind);  // of its sign, along x or z
 
     const VoxelGrid& grid_;
     Flow flows_[4];
