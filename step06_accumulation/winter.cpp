@@ -138,7 +138,7 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
         bind_texture(CRYSTALS_UNIT, GL_TEXTURE_2D, crystals);
         if (settings.scene) {  // reads snow, shadow map and sky's visibility; draws the surface
             const auto stage = window.stage("scene");
-            surface.draw(features, settings.tessellation, frame.lamp_is_on);
+            surface.draw(features, settings.tessellation);
         }
         if (settings.sky) {  // draws the sky where nothing else is
             const auto stage = window.stage("sky");

@@ -106,8 +106,7 @@ FrameBlock::FrameBlock(const SolidScene& solid)
 const snow::Frame& FrameBlock::update(const Window& window, const Settings& settings, unsigned tick)
 {
     const snow::Weather& weather = window.options().weather;
-    const bool first = frame_.window_size.x == 0;
-    frame_.view_before = first ? window.view() : frame_.view;
+    frame_.view_before = frame_.window_size.x == 0 ? window.view() : frame_.view;
     frame_.view = window.view();
     frame_.projection = window.projection();
     frame_.eye = window.eye();
@@ -118,30 +117,25 @@ const snow::Frame& FrameBlock::update(const Window& window, const Settings& sett
             float(window.ticks()) * weather.time_step / float(window.options().timelapse);
     }
     frame_.window_size = window.size();
-    cover_field(weather, settings.cover.melting, tick);
-    light(weather, settings, float(tick) * weather.time_step);
-    frame_.exposure = settings.exposure;
-    frame_.bloom = settings.bloom;
-    frame_.colours = int(std::lround(settings.colours));
-    block_.update(FRAME_BLOCK, frame_);
-    return frame_;
-}
-
-// Adds to the snow on open ground what has come and gone since the frame before.
-void FrameBlock::cover_field(const snow::Weather& weather, bool melting, unsigned tick)
-{
-    // The first flakes, fewer than there will be, fall and lie for a while before they are part of
-    // the cover; and depth.comp lets that appear in some ten rounds.
+    // The snow on open ground. The first flakes, fewer than there will be, fall and lie for a while
+    // before they are part of the cover; and depth.comp lets that appear in some ten rounds.
     const snow::Emitter& cloud = weather.emitters[0];
     const float late = 1.25f * cloud.centre.y / cloud.terminal_speed + weather.melt_time +
                        10 * Columns::steps_per_round * weather.time_step;  // s
     const float now = float(tick) * weather.time_step,
                 before = float(tick_before_) * weather.time_step;
     tick_before_ = tick;
-    const float snows = std::max(now, late) - std::max(before, late);                 // s
-    const float thaw = melting ? 0.01f * std::max(weather.temperature, 0.0f) : 0.0f;  // m/min
+    const float snows = std::max(now, late) - std::max(before, late);  // s
+    const float thaw =
+        settings.cover.melting ? 0.01f * std::max(weather.temperature, 0.0f) : 0.0f;  // m/min
     frame_.field_depth = std::max(
         frame_.field_depth + (weather.snowfall * snows - thaw * (now - before)) / 60.0f, 0.0f);
+    light(weather, settings, now);
+    frame_.exposure = settings.exposure;
+    frame_.bloom = settings.bloom;
+    frame_.colours = int(std::lround(settings.colours));
+    block_.update(FRAME_BLOCK, frame_);
+    return frame_;
 }
 
 // seconds: since the first flake.

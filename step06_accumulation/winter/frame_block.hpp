@@ -22,7 +22,6 @@ public:
     const snow::Frame& update(const Window& window, const Settings& settings, unsigned tick);
 
 private:
-    void cover_field(const snow::Weather& weather, bool melting, unsigned tick);
     void light(const snow::Weather& weather, const Settings& settings, float seconds);
 
     UniformBlock<snow::Frame> block_;

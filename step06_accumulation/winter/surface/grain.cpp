@@ -11,19 +11,18 @@ GlObject make_grain()
 {
     constexpr int texels = 256;  // along each edge
     std::vector<glm::vec4> pixels;
-    for (int y = 0; y < texels; ++y) {
-        for (int x = 0; x < texels; ++x) {
-            // Three noises that have nothing to do with each other, each of three sizes.
-            glm::vec4 noise(0);
-            for (float knots = 32; knots <= 128; knots *= 2) {
-                const glm::vec2 place = knots / float(texels) * (glm::vec2(x, y) + 0.5f);
-                for (int i = 0; i < 3; ++i) {
-                    noise[i] +=
-                        0.25f * glm::perlin(glm::vec3(place, 0.5f + float(i)), glm::vec3(knots));
-                }
+    for (int i = 0; i < texels * texels; ++i) {
+        // Three noises that have nothing to do with each other, each of three sizes.
+        glm::vec4 noise(0);
+        for (float knots = 32; knots <= 128; knots *= 2) {
+            const glm::vec2 place =
+                knots / float(texels) * (glm::vec2(i % texels, i / texels) + 0.5f);
+            for (int channel = 0; channel < 3; ++channel) {
+                noise[channel] +=
+                    0.2f * glm::perlin(glm::vec3(place, 0.5f + float(channel)), glm::vec3(knots));
             }
-            pixels.push_back(0.5f + noise);
         }
+        pixels.push_back(0.5f + noise);
     }
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture);

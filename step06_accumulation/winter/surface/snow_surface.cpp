@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstddef>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -204,47 +204,41 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)),
                  indices.data(), GL_STATIC_DRAW);
     check_memory("the surface", double(vertices.size() * sizeof(SurfaceVertex)));
-    const auto field_of = [](GLuint location, GLint floats, size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(SurfaceVertex),
+    const GLint floats[] = {3, 3, 3, 2, 1, 1, 3};  // of the fields of SurfaceVertex, in their order
+    size_t offset = 0;
+    for (GLuint i = 0; i < std::size(floats); offset += sizeof(float) * size_t(floats[i++])) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, floats[i], GL_FLOAT, GL_FALSE, sizeof(SurfaceVertex),
                               reinterpret_cast<const void*>(offset));
-    };
-    field_of(0, 3, offsetof(Vertex, position));
-    field_of(1, 3, offsetof(Vertex, normal));
-    field_of(2, 3, offsetof(Vertex, colour));
-    field_of(3, 2, offsetof(Vertex, uv));
-    field_of(4, 1, offsetof(SurfaceVertex, displacement));
-    field_of(5, 1, offsetof(SurfaceVertex, skirt));
-    field_of(6, 3, offsetof(SurfaceVertex, even_normal));
+    }
 }
 
-void SnowSurface::draw(unsigned features, bool tessellated, float lamp_is_on)
+void SnowSurface::draw(unsigned features, bool tessellated)
 {
     glBindVertexArray(vao_);
-    draw(GL_TRIANGLES, bare_, on_bare_.use(features), lamp_is_on);
-    draw(GL_TRIANGLES, fine_, on_snow_.use(features), lamp_is_on);
+    draw(GL_TRIANGLES, bare_, on_bare_.use(features));
+    draw(GL_TRIANGLES, fine_, on_snow_.use(features));
     if (tessellated) {
         glPatchParameteri(GL_PATCH_VERTICES, 3);
-        draw(GL_PATCHES, coarse_, on_snow_tessellated_.use(features | TESSELLATED), lamp_is_on);
+        draw(GL_PATCHES, coarse_, on_snow_tessellated_.use(features | TESSELLATED));
     } else {
-        draw(GL_TRIANGLES, coarse_, on_snow_.use(features), lamp_is_on);
+        draw(GL_TRIANGLES, coarse_, on_snow_.use(features));
     }
-    draw(GL_TRIANGLES, field_, on_field_.use(features), 0);
+    draw(GL_TRIANGLES, field_, on_field_.use(features));
 }
 
-void SnowSurface::draw(GLenum mode, const std::vector<Range>& ranges, Program& program,
-                       float lamp_is_on) const
+void SnowSurface::draw(GLenum mode, const std::vector<Range>& ranges, Program& program) const
 {
     constexpr float brightness = 12;  // of the glass of a lamp
     const std::vector<Submesh>& submeshes = solid_.drawn.submeshes;
     for (const Range& range : ranges) {
         if (range.count == 0) continue;
         solid_.pictures.set(program, range.submesh);
-        if (lamp_is_on > 0) {
-            const bool has_own = range.submesh < submeshes.size();  // the last is the snow's sides
-            program.set("own_light",
-                        has_own ? brightness * lamp_is_on * submeshes[range.submesh].material.light
-                                : glm::vec3(0));
+        const bool is_of_scene = range.submesh < submeshes.size();  // not of the snow's sides
+        if (&ranges != &field_) {
+            program.set("own_light", is_of_scene
+                                         ? brightness * submeshes[range.submesh].material.light
+                                         : glm::vec3(0));
         }
         glDrawElements(mode, range.count, GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(range.first * sizeof(uint32_t)));

@@ -21,7 +21,7 @@ in vec4 air;                 // see air.glsl
 
 out vec4 colour;
 
-uniform vec3 own_light;  // what the surface shines by itself
+uniform vec3 own_light;  // what the surface shines by itself when the lamp is on
 
 // Finds the fraction of the surface that is snow, and the normal, of length 1, towards the viewer.
 void look(out float cover, out vec3 facing)
@@ -78,6 +78,6 @@ void main()
 #endif
     float sunlight = sunlight_at(spot);
     vec3 radiance = lit(mix(surface, snow_colour, cover), normal, spot, sunlight, light_within * cover) +
-                    mirrored * sunlight * frame.sun + (1.0 - cover) * own_light;
+                    mirrored * sunlight * frame.sun + (1.0 - cover) * frame.lamp_is_on * own_light;
     colour = vec4(air.rgb + air.a * radiance, 1.0);
 }

@@ -55,12 +55,10 @@ float open_fraction(const VoxelGrid& grid, ivec3 cell, int axis)
     return 1.0f - float(blocked) / float(size * size);
 }
 
-// Slows the air in the lee of everything, in wind along `axis`: from one layer of cells to the
-// next, away from where it comes from, each passes on what finds a way through, mixed with the air
-// beside it, as an eddy viscosity would (Counihan, Hunt and Jackson, "Wakes behind two-dimensional
-// surface obstacles in turbulent boundary layers", 1974; here some 0.1 m2/s for each m/s of wind).
-// Without this, air would close behind a wall just as it parts before it, and nowhere would it be
-// calm.
+// Slows the air in the lee of everything, or it would close behind a wall as it parts before it:
+// each layer of cells across `axis` passes on what finds a way through, mixed with the air beside
+// it, as an eddy viscosity would (Counihan, Hunt and Jackson, "Wakes behind two-dimensional surface
+// obstacles in turbulent boundary layers", 1974; here some 0.1 m2/s for each m/s of wind).
 void add_wake(AirFlow& flow, int axis)
 {
     const bool forwards = flow.speed[axis][0] > 0;

@@ -23,10 +23,10 @@ struct AirFlow {
     glm::vec3 at_cell(glm::ivec3 cell) const;  // m/s, the mean of the cell's faces
 };
 
-// Takes the even wind, slows it in the lee of everything, and removes from it, by the gradient of a
-// pressure, what would flow into or out of any cell (the projection of Stam, "Stable Fluids", 1999;
-// wakes first and then this is how Rockle's wind model for cities, 1990, goes about it). No air
-// flows through the ground; on the other sides of the cube it is free to.
+// Takes the even wind, slows it in the lee of everything (wakes as in Rockle's wind model for
+// cities, 1990), and removes from it, by the gradient of a pressure, what would flow into or out of
+// any cell (the projection of Stam, "Stable Fluids", 1999). Only through the ground no air can
+// leave the cube.
 AirFlow flow_around(const VoxelGrid& grid, glm::vec3 wind);
 
 // The flow for wind towards +x, -x, +z and -z, each computed when it is first wanted. Any wind is a
