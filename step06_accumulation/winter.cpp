@@ -22,7 +22,6 @@
 #include "step06_accumulation/winter/permutations.hpp"
 #include "step06_accumulation/winter/post/hdr_target.hpp"
 #include "step06_accumulation/winter/surface/grain.hpp"
-#include "step06_accumulation/winter/surface/smooth_snow.hpp"
 #include "step06_accumulation/winter/surface/snow_surface.hpp"
 #include "step06_accumulation/winter/wind/wind_field.hpp"
 
@@ -33,6 +32,7 @@ namespace {
 struct Programs {
     Permutations update{{{GL_COMPUTE_SHADER, "step06_accumulation/winter/wind/update.comp"}},
                         WIND_FIELD};
+    Program smooth{{{GL_COMPUTE_SHADER, "step06_accumulation/winter/surface/smooth.comp"}}};
     Program sky{{{GL_VERTEX_SHADER, "step06_accumulation/winter/light/sky.vert"},
                  {GL_FRAGMENT_SHADER, "step06_accumulation/winter/light/sky.frag"}}};
     Permutations flake{{{GL_VERTEX_SHADER, "step06_accumulation/winter/flakes/flake.vert"},
@@ -66,13 +66,13 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
     UniformBlock<Weather> weather_block;
     FrameBlock frame_block(solid);
     FlakeBudget budget;
-    SmoothSnow smooth_snow(columns, options.voxels);
     WindField wind(solid.grid);
     DepthOrder depth_order(weather.particles);
     SnowSurface surface(solid);
     ShadowMap shadow_map;
     HdrTarget hdr_target;
-    const GlObject sky_visibility = make_sky_visibility(solid.grid), grain = make_grain(),
+    const GlObject snow_look = make_volume(GL_RGBA8, options.voxels),
+                   sky_visibility = make_sky_visibility(solid.grid), grain = make_grain(),
                    crystals = load_texture("step03_shader_points/snowflakes.png");
     const NoVertices no_vertices;  // of the sky and the whole screen, which shaders know
     Programs programs;
@@ -83,10 +83,11 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     while (window.begin_frame()) {
         weather_block.update(WEATHER_BLOCK, weather);
+        const unsigned features = features_of(settings, weather);
         const LiveFlakes live(weather.particles, budget.share());
         {  // reads voxels and wind; changes flakes, cover and ledger
             const auto stage = window.stage("update");
-            Program& update = programs.update.use(frame_block.features(settings, weather));
+            Program& update = programs.update.use(features);
             if (settings.wind_field) wind.bind(weather.wind);
             solid.bind();
             ledger.bind();
@@ -117,10 +118,11 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
         }
         {  // reads how deep the cover is; writes what it looks like
             const auto stage = window.stage("smooth");
-            smooth_snow.update(tick, window.ticks());
+            glBindImageTexture(DEPTH_IMAGE, columns.depth(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_RG16F);
+            glBindImageTexture(SNOW_IMAGE, snow_look, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA8);
+            columns.dispatch(programs.smooth, tick, window.ticks());
         }
         const Frame& frame = frame_block.update(window, settings, tick);
-        const unsigned features = frame_block.features(settings, weather);
         if (settings.shadow) {  // reads the scene; writes the shadow map, if the sun has moved
             const auto stage = window.stage("shadow");
             shadow_map.update(frame.to_sun, solid, settings.soft_shadows,
@@ -131,12 +133,12 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
         bind_texture(SHADOW_UNIT, GL_TEXTURE_2D, shadow_map.texture());
         bind_texture(SKY_VISIBILITY_UNIT, GL_TEXTURE_3D, sky_visibility);
         bind_texture(DEPTH_UNIT, GL_TEXTURE_3D, columns.depth());
-        bind_texture(SNOW_UNIT, GL_TEXTURE_3D, smooth_snow.texture());
+        bind_texture(SNOW_UNIT, GL_TEXTURE_3D, snow_look);
         bind_texture(GRAIN_UNIT, GL_TEXTURE_2D, grain);
         bind_texture(CRYSTALS_UNIT, GL_TEXTURE_2D, crystals);
         if (settings.scene) {  // reads snow, shadow map and sky's visibility; draws the surface
             const auto stage = window.stage("scene");
-            surface.draw(features, settings.tessellation, frame.lamp_is_on);
+            surface.draw(features, settings.tessellation);
         }
         if (settings.sky) {  // draws the sky where nothing else is
             const auto stage = window.stage("sky");

@@ -38,29 +38,28 @@ std::string FlakeBudget::report() const
     return std::to_string(int(std::lround(100 * share()))) + " % of the flakes live";
 }
 
-LiveFlakes::LiveFlakes(unsigned particles, float share) : particles_(particles)
+LiveFlakes::LiveFlakes(unsigned all, float share) : particles(all), first{0, GLint(all / 2)}
 {
     // In double precision: in single, beyond 2^24 flakes, one more than there are might live.
     const auto live = [share](unsigned flakes) {
         return GLsizei(std::min(std::ceil(double(share) * flakes), double(flakes)));
     };
-    const unsigned half = particles / 2;
-    halves_ = {{{0, live(half)}, {GLint(half), live(particles - half)}}};
+    count[0] = live(all / 2);
+    count[1] = live(all - all / 2);
 }
 
 float LiveFlakes::weight() const
 {
-    const int live = halves_[0].count + halves_[1].count;
-    return float(std::max(1u, particles_)) / float(std::max(1, live));
+    return float(std::max(1u, particles)) / float(std::max(1, count[0] + count[1]));
 }
 
 void LiveFlakes::set(Program& program) const
 {
-    program.set("live_of_first", unsigned(halves_[0].count));
-    program.set("live_of_second", unsigned(halves_[1].count));
+    program.set("live_of_first", unsigned(count[0]));
+    program.set("live_of_second", unsigned(count[1]));
 }
 
 void LiveFlakes::draw() const
 {
-    for (const Range& half : halves_) glDrawArrays(GL_POINTS, half.first, half.count);
+    glMultiDrawArrays(GL_POINTS, first, count, 2);
 }

@@ -2,7 +2,6 @@
 // is done early.
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "common/program.hpp"
@@ -27,18 +26,9 @@ private:
 
 // The flakes that live: the first of each emitter's half of the pool. The others wait, as they are,
 // for better times.
-class LiveFlakes {
-public:
-    struct Range {  // of flakes, by their index
-        GLint first;
-        GLsizei count;
-    };
-
+struct LiveFlakes {
     // share: of all flakes, 0 to 1.
     LiveFlakes(unsigned particles, float share);
-
-    const Range* begin() const { return halves_.data(); }
-    const Range* end() const { return halves_.data() + 2; }
 
     // How many flakes each one that lives stands for.
     float weight() const;
@@ -49,7 +39,7 @@ public:
     // Tells a program in use which flakes live (flakes/live.glsl).
     void set(Program& program) const;
 
-private:
-    unsigned particles_;
-    std::array<Range, 2> halves_;
+    unsigned particles;  // all
+    GLint first[2];      // flake that lives, of each half
+    GLsizei count[2];    // of those that live
 };

@@ -5,8 +5,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 
-#include "step06_accumulation/winter/permutations.hpp"
-
 namespace {
 
 using glm::mix;
@@ -74,15 +72,11 @@ float extinction(const snow::Weather& weather, float seconds)
 glm::mat4 shadow_projection(vec3 to_sun, vec3 lowest, vec3 highest)
 {
     const glm::mat4 view = glm::lookAt(to_sun, vec3(0), {0, 1, 0});
-    vec3 low(INFINITY), high(-INFINITY);
-    for (int corner = 0; corner < 8; ++corner) {
-        const vec3 position((corner & 1) != 0 ? highest.x : lowest.x,
-                            (corner & 2) != 0 ? highest.y : lowest.y,
-                            (corner & 4) != 0 ? highest.z : lowest.z);
-        const vec3 seen(view * glm::vec4(position, 1));
-        low = glm::min(low, seen);
-        high = glm::max(high, seen);
-    }
+    const vec3 middle(view * glm::vec4(0.5f * (lowest + highest), 1));
+    vec3 reach(0);  // from there to the sides of the box
+    for (int axis = 0; axis < 3; ++axis)
+        reach += 0.5f * (highest[axis] - lowest[axis]) * glm::abs(vec3(view[axis]));
+    const vec3 low = middle - reach, high = middle + reach;
     return glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z) * view;
 }
 
@@ -112,39 +106,7 @@ FrameBlock::FrameBlock(const SolidScene& solid)
 const snow::Frame& FrameBlock::update(const Window& window, const Settings& settings, unsigned tick)
 {
     const snow::Weather& weather = window.options().weather;
-    see(window);
-    cover_field(weather, settings.cover.melting, tick);
-    light(weather, settings, float(tick) * weather.time_step);
-    frame_.exposure = settings.exposure;
-    frame_.bloom = settings.bloom;
-    frame_.colours = int(std::lround(settings.colours));
-    block_.update(FRAME_BLOCK, frame_);
-    return frame_;
-}
-
-unsigned FrameBlock::features(const Settings& settings, const snow::Weather& weather) const
-{
-    const bool windy = weather.wind.x != 0 || weather.wind.z != 0;
-    unsigned features = 0;
-    const auto add_if = [&](bool on, Feature feature) {
-        if (on) features |= feature;
-    };
-    add_if(settings.shadow, SHADOW);
-    add_if(settings.occlusion, OCCLUSION);
-    add_if(frame_.lamp_is_on > 0, LAMP);
-    add_if(settings.sparkle, SPARKLE);
-    add_if(settings.dusting && windy, DUSTING);
-    add_if(settings.blur, BLUR);
-    add_if(settings.bloom > 0, BLOOM);
-    add_if(settings.wind_field && windy, WIND_FIELD);
-    return features;
-}
-
-void FrameBlock::see(const Window& window)
-{
-    const snow::Weather& weather = window.options().weather;
-    const bool first = frame_.window_size.x == 0;
-    frame_.view_before = first ? window.view() : frame_.view;
+    frame_.view_before = frame_.window_size.x == 0 ? window.view() : frame_.view;
     frame_.view = window.view();
     frame_.projection = window.projection();
     frame_.eye = window.eye();
@@ -155,23 +117,25 @@ void FrameBlock::see(const Window& window)
             float(window.ticks()) * weather.time_step / float(window.options().timelapse);
     }
     frame_.window_size = window.size();
-}
-
-// Adds to the snow on open ground what has come and gone since the frame before.
-void FrameBlock::cover_field(const snow::Weather& weather, bool melting, unsigned tick)
-{
-    // The first flakes, fewer than there will be, fall and lie for a while before they are part of
-    // the cover; and depth.comp lets that appear in some ten rounds.
+    // The snow on open ground. The first flakes, fewer than there will be, fall and lie for a while
+    // before they are part of the cover; and depth.comp lets that appear in some ten rounds.
     const snow::Emitter& cloud = weather.emitters[0];
     const float late = 1.25f * cloud.centre.y / cloud.terminal_speed + weather.melt_time +
                        10 * Columns::steps_per_round * weather.time_step;  // s
     const float now = float(tick) * weather.time_step,
                 before = float(tick_before_) * weather.time_step;
     tick_before_ = tick;
-    const float snows = std::max(now, late) - std::max(before, late);                 // s
-    const float thaw = melting ? 0.01f * std::max(weather.temperature, 0.0f) : 0.0f;  // m/min
+    const float snows = std::max(now, late) - std::max(before, late);  // s
+    const float thaw =
+        settings.cover.melting ? 0.01f * std::max(weather.temperature, 0.0f) : 0.0f;  // m/min
     frame_.field_depth = std::max(
         frame_.field_depth + (weather.snowfall * snows - thaw * (now - before)) / 60.0f, 0.0f);
+    light(weather, settings, now);
+    frame_.exposure = settings.exposure;
+    frame_.bloom = settings.bloom;
+    frame_.colours = int(std::lround(settings.colours));
+    block_.update(FRAME_BLOCK, frame_);
+    return frame_;
 }
 
 // seconds: since the first flake.
@@ -213,6 +177,7 @@ void FrameBlock::light(const snow::Weather& weather, const Settings& settings, f
         mix(0.2f, 0.7f, white) * (frame_.sky + std::max(frame_.to_sun.y, 0.0f) * frame_.sun);
 
     const bool has_lamp = settings.lamp && lamp_light_ != vec3(0);
-    frame_.lamp_is_on = has_lamp ? 1 - smoothstep(0.0f, 4.0f, settings.sun_height) : 0.0f;
+    frame_.lamp_is_on =
+        has_lamp ? 1 - smoothstep(0.0f, Settings::lamp_off_height, settings.sun_height) : 0.0f;
     frame_.lamp = frame_.lamp_is_on * lamp_light_;
 }

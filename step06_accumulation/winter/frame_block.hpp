@@ -21,12 +21,7 @@ public:
     // tick: time steps made since the first flake. Returns what the shaders are told.
     const snow::Frame& update(const Window& window, const Settings& settings, unsigned tick);
 
-    // What of the features of permutations.hpp is on in this frame.
-    unsigned features(const Settings& settings, const snow::Weather& weather) const;
-
 private:
-    void see(const Window& window);
-    void cover_field(const snow::Weather& weather, bool melting, unsigned tick);
     void light(const snow::Weather& weather, const Settings& settings, float seconds);
 
     UniformBlock<snow::Frame> block_;

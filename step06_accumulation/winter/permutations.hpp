@@ -7,18 +7,21 @@
 #include <vector>
 
 #include "common/program.hpp"
+#include "step06_accumulation/winter/settings.hpp"
 
 // What shaders may have besides: bits of a set. Each is a #define of its own name in the shaders.
-enum Feature : unsigned {
-    SHADOW = 1,       // the shadow map
-    OCCLUSION = 2,    // the scene hides some of the sky
-    LAMP = 4,         // a lamp that is on
-    SPARKLE = 8,      // crystals on the snow that flash
-    DUSTING = 16,     // snow on the weather side of walls
-    BLUR = 32,        // flakes close by are out of focus
-    BLOOM = 64,       // light around what is bright
-    WIND_FIELD = 128  // the air flows around the scene
-};
+inline constexpr unsigned SHADOW = 1,  // the shadow map
+    OCCLUSION = 2,                     // the scene hides some of the sky
+    LAMP = 4,                          // a lamp that is on
+    SPARKLE = 8,                       // crystals on the snow that flash
+    DUSTING = 16,                      // snow on the weather side of walls
+    BLUR = 32,                         // flakes close by are out of focus
+    BLOOM = 64,                        // light around what is bright
+    WIND_FIELD = 128,                  // the air flows around the scene
+    TESSELLATED = 256;                 // tessellation follows the vertex shader
+
+// Those that are on.
+unsigned features_of(const Settings& settings, const snow::Weather& weather);
 
 class Permutations {
 public:

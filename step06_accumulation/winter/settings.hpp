@@ -20,6 +20,7 @@ struct Settings {
     // Light and air
     bool sky = true, shadow = true, soft_shadows = true, occlusion = true, fog = true, lamp = true;
     float sun_height = 20, sun_direction = 118;  // degrees
+    static constexpr float lamp_off_height = 4;  // of the sun: from there on up no lamp is on
     // Picture
     bool multisample = true;
     float bloom = 0.06f;  // fraction of the light that is spread; 0: none

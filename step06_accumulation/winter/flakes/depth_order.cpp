@@ -19,8 +19,7 @@ DepthOrder::DepthOrder(unsigned particles)
 
 void DepthOrder::sort(const ParticleBuffer& particles, const LiveFlakes& live)
 {
-    count_ = 0;
-    for (const LiveFlakes::Range& half : live) count_ += half.count;
+    count_ = live.count[0] + live.count[1];
     // Where no flake is measured, there is one behind the eye, and comes last.
     const GLfloat behind = -1;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

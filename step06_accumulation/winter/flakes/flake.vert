@@ -20,8 +20,8 @@ out Flake
 }
 flake;
 
-// The light that a white flake, which has no side, sends to the eye: it comes from everywhere. It may lie on a surface. The nearest
-// cell of sky_visibility will do.
+// The light that a white flake sends to the eye: it has no side, so light comes from everywhere. It may lie on a
+// surface. The nearest cell of sky_visibility will do.
 vec3 light_on_flake(vec3 position)
 {
     Spot spot = spot_at(position, vec3(0.0, 1.0, 0.0));

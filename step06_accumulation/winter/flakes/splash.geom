@@ -5,11 +5,13 @@
 
 layout(max_vertices = 16) out;
 
-// Droplets that a drop has thrown up where it came down, `time` s ago. They fly as stones do, without drag.
-void draw_splash(vec3 position, float time, float diameter, uint index)
+// The drop has thrown up droplets, which fly as stones do, without drag.
+void main()
 {
+    float time = flake[0].rest;  // s, since it came down
+    if (time <= 0.0) return;
     for (uint droplet = 0u; droplet < 4u; ++droplet) {
-        uint bits = hash(4u * index + droplet);
+        uint bits = hash(4u * flake[0].index + droplet);
         vec3 random = vec3(bits & 255u, (bits >> 8u) & 255u, (bits >> 16u) & 255u) / 255.0;
         float angle = 6.2831853 * (float(droplet) + random.x) / 4.0;
         float speed = 0.2 + 0.4 * random.y;  // m/s, along the ground
@@ -17,12 +19,7 @@ void draw_splash(vec3 position, float time, float diameter, uint index)
         vec3 way = start * time + 0.5 * weather.gravity * time * time;
         if (way.y < 0.0) continue;  // down again
         vec3 velocity = start + weather.gravity * time;
-        draw(position + way, velocity, min(frame.shutter, time), diameter, 2.0, mat2(1.0));
+        float size = 0.8 * diameter(flake[0].index, weather);
+        draw(flake[0].position + way, velocity, min(frame.shutter, time), size, 2.0, mat2(1.0));
     }
-}
-
-void main()
-{
-    float rest = flake[0].rest;
-    if (rest > 0.0) draw_splash(flake[0].position, rest, 0.8 * diameter(flake[0].index, weather), flake[0].index);
 }

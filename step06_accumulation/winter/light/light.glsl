@@ -64,24 +64,18 @@ vec3 ambient_light(vec3 normal, Spot spot)
     return mix(min(2.0 * seen.w, 1.0) * frame.ground, frame.sky, sky);
 }
 
-// Light of the lamp on a surface. normal: length 1.
-vec3 lamp_light(vec3 normal, Spot spot)
-{
-#ifdef LAMP
-    vec3 to_lamp = frame.lamp_position - spot.position;
-    float nearness = inversesqrt(max(dot(to_lamp, to_lamp), frame.lamp_radius * frame.lamp_radius));
-    return frame.lamp * max(dot(normal, to_lamp), 0.0) * nearness * nearness * nearness;
-#else
-    return vec3(0.0);
-#endif
-}
-
 // Light of sun and lamp on a surface. sunlight: the fraction of the sun's light that gets here. around: how far
 // light gets within, so that the sun reaches a little beyond where it grazes.
 vec3 direct_light(vec3 normal, Spot spot, float sunlight, float around)
 {
     float facing = max((dot(normal, frame.to_sun) + around) / (1.0 + around), 0.0);
-    return facing * sunlight * frame.sun + lamp_light(normal, spot);
+    vec3 light = facing * sunlight * frame.sun;
+#ifdef LAMP
+    vec3 to_lamp = frame.lamp_position - spot.position;
+    float nearness = inversesqrt(max(dot(to_lamp, to_lamp), frame.lamp_radius * frame.lamp_radius));
+    light += frame.lamp * max(dot(normal, to_lamp), 0.0) * nearness * nearness * nearness;
+#endif
+    return light;
 }
 
 // The light that a dull surface of this colour sends to any side. normal: length 1.

@@ -3,87 +3,55 @@
 #include <GL/glew.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <vector>
-
-namespace {
 
 using glm::ivec3;
 using glm::vec3;
 using glm::vec4;
 
-constexpr int most_cells = 64;  // along each edge of the grid's cube
-constexpr int directions = 32;  // evenly spread over the sky
-
-// The voxels, several to a cell: how much of the light that comes along is lost in each.
-struct Opacity {
-    explicit Opacity(const VoxelGrid& grid)
-        : cells(std::min(grid.resolution, most_cells)), voxels(grid.resolution / cells),
-          values(size_t(cells) * size_t(cells) * size_t(cells))
-    {
-        // A wall one voxel thick is to hold back all of it.
-        const float of_one_voxel = 1.0f / float(voxels * voxels);
-        const int row = grid.resolution / 32;  // words
-        for (size_t word = 0; word < grid.words.size(); ++word) {
-            if (grid.words[word] == 0) continue;
-            const ivec3 first(int(word) % row * 32, int(word) / row % grid.resolution,
-                              int(word) / row / grid.resolution);
-            for (int bit = 0; bit < 32; ++bit) {
-                if (((grid.words[word] >> bit) & 1u) == 0) continue;
-                const ivec3 voxel = first + ivec3(bit, 0, 0);
-                float& value = values[index(voxel / voxels)];
-                value = std::min(value + of_one_voxel, 1.0f);
-                top = std::max(top, voxel.y / voxels + 1);
-            }
-        }
-    }
-
-    size_t index(ivec3 cell) const
-    {
+GlObject make_sky_visibility(const VoxelGrid& grid)
+{
+    const int cells = std::min(grid.resolution, 64), voxels = grid.resolution / cells;
+    const auto cell_at = [](size_t index, size_t n) {
+        return ivec3(int(index % n), int(index / n % n), int(index / n / n));
+    };
+    const auto index_of = [cells](ivec3 cell) {
         return (size_t(cell.z) * size_t(cells) + size_t(cell.y)) * size_t(cells) + size_t(cell.x);
+    };
+    // How much of the light that comes along is lost in each cell: all where a wall stands that is
+    // one voxel thick.
+    std::vector<float> opacity(index_of({0, 0, cells}));
+    int top = 0;  // no layer from here on up holds anything
+    for (size_t i = 0; i < 32 * grid.words.size(); ++i) {
+        if (grid.words[i / 32] == 0) i += 31;
+        if ((grid.words[i / 32] >> i % 32 & 1u) == 0) continue;
+        const ivec3 cell = cell_at(i, size_t(grid.resolution)) / voxels;
+        float& value = opacity[index_of(cell)];
+        value = std::min(value + 1.0f / float(voxels * voxels), 1.0f);
+        top = std::max(top, cell.y + 1);
     }
-
     // The fraction of the light that comes from the sky to `point`, in cells, along `direction`.
-    float light_from(vec3 direction, vec3 point) const
-    {
+    const auto light_from = [&](vec3 direction, vec3 point) {
         float light = 1;
         while (light > 0.02f) {
             point += direction;
             const ivec3 cell(glm::floor(point));
             if (cell.y >= top || std::min(cell.x, cell.z) < 0 || std::max(cell.x, cell.z) >= cells)
                 break;
-            light *= 1 - values[index(cell)];
+            light *= 1 - opacity[index_of(cell)];
         }
         return light;
-    }
-
-    int cells, voxels;  // along each edge of the cube; along each edge of a cell
-    int top = 0;        // no layer from here on up holds anything
-    std::vector<float> values;
-};
-
-// Directions above the horizon, each for an equal share of the sky: a spiral that turns by the
-// golden angle from each to the next.
-std::array<vec3, directions> sky_directions()
-{
-    std::array<vec3, directions> result;
-    for (int i = 0; i < directions; ++i) {
-        const float up = (float(i) + 0.5f) / directions;
+    };
+    // Directions above the horizon, each for an equal share of the sky: a spiral that turns by the
+    // golden angle from each to the next.
+    vec3 sky[32];
+    for (size_t i = 0; i < std::size(sky); ++i) {
+        const float up = (float(i) + 0.5f) / std::size(sky), across = std::sqrt(1 - up * up);
         const float turn = float(i) * glm::pi<float>() * (3 - std::sqrt(5.0f));
-        const float across = std::sqrt(1 - up * up);
-        result[size_t(i)] = {across * std::cos(turn), up, across * std::sin(turn)};
+        sky[i] = {across * std::cos(turn), up, across * std::sin(turn)};
     }
-    return result;
-}
-
-}  // namespace
-
-GlObject make_sky_visibility(const VoxelGrid& grid)
-{
-    const Opacity opacity(grid);
-    const std::array<vec3, directions> sky = sky_directions();
 
     // A surface that faces n receives from an even sky of brightness 1, which it sees in the
     // directions where v(d) is 1, very nearly: mean of v + 2 n . (mean of v d), the means over all
@@ -91,34 +59,27 @@ GlObject make_sky_visibility(const VoxelGrid& grid)
     // and Hanrahan, "An efficient representation for irradiance environment maps", 2001).
     const vec4 open_sky(0, 0.5f, 0, 0.5f);  // the two means: 2 v d, -0.5 to 0.5, and v, 0 to 0.5
     const auto texel_of = [](vec4 means) { return vec4(0.5f + vec3(means), 2 * means.w); };
-    std::vector<vec4> texels(opacity.values.size(), texel_of(open_sky));
-    for (int z = 0; z < opacity.cells; ++z) {
-        for (int y = 0; y < opacity.top; ++y) {
-            for (int x = 0; x < opacity.cells; ++x) {
-                const size_t cell = opacity.index({x, y, z});
-                // Where there is something in the cell, it is what lies on top of it that is seen.
-                const float height = opacity.values[cell] > 0 ? 1.0f : 0.5f;
-                const vec3 point = vec3(x, y, z) + vec3(0.5f, height, 0.5f);
-                vec4 sum(0);
-                for (const vec3 direction : sky) {
-                    sum += opacity.light_from(direction, point) * vec4(2.0f * direction, 1);
-                }
-                // 2: the sky is half of all directions
-                texels[cell] = texel_of(sum / (2.0f * directions));
-            }
-        }
+    std::vector<vec4> texels(opacity.size(), texel_of(open_sky));
+    for (size_t i = 0; i < texels.size(); ++i) {
+        const ivec3 cell = cell_at(i, size_t(cells));
+        if (cell.y >= top) continue;
+        // Where there is something in the cell, it is what lies on top of it that is seen.
+        const vec3 point = vec3(cell) + vec3(0.5f, opacity[i] > 0 ? 1.0f : 0.5f, 0.5f);
+        vec4 sum(0);
+        for (const vec3 direction : sky)
+            sum += light_from(direction, point) * vec4(2.0f * direction, 1);
+        // 2: the sky is half of all directions
+        texels[i] = texel_of(sum / (2.0f * std::size(sky)));
     }
-
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_3D, texture);
     // 8 bits a channel are enough for light so even, and what hardware filters fastest.
-    glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, opacity.cells, opacity.cells, opacity.cells, 0,
-                 GL_RGBA, GL_FLOAT, texels.data());
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, cells, cells, cells, 0, GL_RGBA, GL_FLOAT,
+                 texels.data());
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     const vec4 border = texel_of(open_sky);
     glTexParameterfv(GL_TEXTURE_3D, GL_TEXTURE_BORDER_COLOR, &border.x);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_BORDER);
-    }
     return texture;
 }

@@ -1,36 +1,13 @@
 #include "step06_accumulation/winter/post/hdr_target.hpp"
 
-#include <algorithm>
-
-namespace {
-
-GlObject make_renderbuffer_of(GLenum format, glm::ivec2 size, int samples)
-{
-    GlObject made = make_renderbuffer();
-    glBindRenderbuffer(GL_RENDERBUFFER, made);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, size.x,
-                                     size.y);
-    return made;
-}
-
-void attach_depth(GLuint depth)
-{
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
-}
-
-}  // namespace
-
 void HdrTarget::begin(glm::ivec2 size, bool multisample, glm::vec3 background)
 {
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    const int samples = multisample ? std::min(4, most) : 1;
-    if (size != size_ || samples != samples_) {
+    if (size != size_ || multisample != multisample_) {
         size_ = size;
-        samples_ = samples;
+        multisample_ = multisample;
         allocate();
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, samples > 1 ? samples_framebuffer_ : framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, multisample ? samples_framebuffer_ : framebuffer_);
     const GLfloat farthest = 1;
     glClearBufferfv(GL_COLOR, 0, &glm::vec4(background, 1)[0]);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
@@ -38,12 +15,21 @@ void HdrTarget::begin(glm::ivec2 size, bool multisample, glm::vec3 background)
 
 void HdrTarget::resolve() const
 {
-    if (samples_ == 1) return;
+    if (!multisample_) return;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_framebuffer_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
     glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
                       GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+}
+
+// To the framebuffer that is bound.
+void HdrTarget::add_renderbuffer(GLenum attachment, GLenum format, int samples, GlObject& buffer)
+{
+    buffer = make_renderbuffer();
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size_.x, size_.y);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
 void HdrTarget::allocate()
@@ -55,21 +41,18 @@ void HdrTarget::allocate()
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    depth_ = make_renderbuffer_of(GL_DEPTH_COMPONENT24, size_, 1);
     framebuffer_ = make_framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_, 0);
-    attach_depth(depth_);
+    add_renderbuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, 0, depth_);
     check_framebuffer("the frame");
-    if (samples_ > 1) {
-        samples_colour_ = make_renderbuffer_of(GL_RGBA16F, size_, samples_);
-        samples_depth_ = make_renderbuffer_of(GL_DEPTH_COMPONENT24, size_, samples_);
+    if (multisample_) {
+        constexpr int samples = 4;  // every card has as many
         samples_framebuffer_ = make_framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, samples_framebuffer_);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                  samples_colour_);
-        attach_depth(samples_depth_);
+        add_renderbuffer(GL_COLOR_ATTACHMENT0, GL_RGBA16F, samples, samples_colour_);
+        add_renderbuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, samples, samples_depth_);
         check_framebuffer("the samples of the frame");
     }
-    check_memory("the frame", 12.0 * (samples_ > 1 ? 1 + samples_ : 1) * size_.x * size_.y);
+    check_memory("the frame", 12.0 * (multisample_ ? 5 : 1) * size_.x * size_.y);
 }

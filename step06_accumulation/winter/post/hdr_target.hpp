@@ -21,9 +21,10 @@ public:
 
 private:
     void allocate();
+    void add_renderbuffer(GLenum attachment, GLenum format, int samples, GlObject& buffer);
 
     glm::ivec2 size_{};
-    int samples_ = 0;  // a pixel, of what edges are drawn into
+    bool multisample_ = false;
     GlObject colour_, depth_, framebuffer_;
     GlObject samples_colour_, samples_depth_, samples_framebuffer_;  // where there are several
 };

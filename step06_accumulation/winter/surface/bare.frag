@@ -15,11 +15,7 @@ in vec4 air;  // see air.glsl
 
 out vec4 colour;
 
-#ifdef LAMP
-uniform vec3 own_light;  // what the surface shines by itself
-#else
-const vec3 own_light = vec3(0.0);
-#endif
+uniform vec3 own_light;  // what the surface shines by itself when the lamp is on
 
 // How much of the wall is hidden, 0 to 1: the more it snows on it, which the wind does where it meets the wall
 // and where nothing is before that, which is where the sky is seen.
@@ -44,6 +40,6 @@ void main()
 {
     vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);  // towards the viewer
     vec3 surface = mix(with_picture(base_colour), snow_colour, dust(normal));
-    vec3 radiance = lit(surface, normal, spot, sunlight_at(spot), 0.0) + own_light;
+    vec3 radiance = lit(surface, normal, spot, sunlight_at(spot), 0.0) + frame.lamp_is_on * own_light;
     colour = vec4(air.rgb + air.a * radiance, 1.0);
 }

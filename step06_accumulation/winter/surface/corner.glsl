@@ -7,5 +7,5 @@ struct Corner {
     vec2 uv;
     float displacement;  // 1: moves with the snow, 0: stays
     float skirt;
-    vec4 even;
+    vec3 even_normal;
 };

@@ -3,6 +3,5 @@
 
 #include "common/gl_object.hpp"
 
-// Red and green: how the surface leans along x and z, 0.5 is level; blue: how high it is; alpha: a
-// number of each texel's own. Computed from noise of several sizes.
+// Red and green: how the surface leans along x and z; blue: how high it is. 0.5 is the mean.
 GlObject make_grain();

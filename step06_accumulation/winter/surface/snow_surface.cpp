@@ -2,36 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstring>
+#include <bit>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "step05_collision/ground.hpp"
-#include "step06_accumulation/winter/surface/hollows.hpp"
 
 namespace {
-
-// Some order of vertices, to find those that are the same.
-struct BytewiseLess {
-    bool operator()(const SurfaceVertex& a, const SurfaceVertex& b) const
-    {
-        return std::memcmp(&a, &b, sizeof a) < 0;
-    }
-};
 
 constexpr float least_upward = 0.1f;  // normal.y, as in scene.frag of step 6
 
 using Point = std::array<float, 3>;
 
-Point point_of(const Vertex& v)
+Point point_of(glm::vec3 position)
 {
-    return {v.position.x, v.position.y, v.position.z};
+    return {position.x, position.y, position.z};
 }
 
-// Steep surfaces are displaced less. A point is displaced alike in all triangles that meet there, or
-// there would be gaps.
-void displace_less_where_steep(std::vector<SurfaceSubmesh>& submeshes)
+// Steep surfaces are displaced less, a point alike in all triangles that meet there, or there would
+// be gaps. And deep snow faces the way that all within a box around it does.
+void fit_snow(std::vector<SurfaceSubmesh>& submeshes)
 {
     const auto each = [&](const auto& change) {
         for (SurfaceSubmesh& submesh : submeshes) {
@@ -39,14 +30,27 @@ void displace_less_where_steep(std::vector<SurfaceSubmesh>& submeshes)
             for (SurfaceVertex& vertex : submesh.coarse) change(vertex);
         }
     };
+    const auto box_of = [](const SurfaceVertex& v) {
+        return point_of(glm::floor(v.vertex.position / 0.5f));  // 0.5: m
+    };
     std::map<Point, float> displacement;
+    std::map<Point, glm::vec3> facing;
     each([&](const SurfaceVertex& v) {
         if (v.skirt != 0) return;  // its normal points to the side
-        float& most = displacement[point_of(v.vertex)];
+        float& most = displacement[point_of(v.vertex.position)];
         // As in surface.frag.
         most = std::max(most, glm::smoothstep(least_upward, 0.4f, v.vertex.normal.y));
+        facing[box_of(v)] += v.vertex.normal;
     });
-    each([&](SurfaceVertex& v) { v.displacement *= displacement[point_of(v.vertex)]; });
+    each([&](SurfaceVertex& v) {
+        v.displacement *= displacement[point_of(v.vertex.position)];
+        v.even_normal = v.skirt != 0 ? v.vertex.normal : glm::normalize(facing[box_of(v)]);
+    });
+}
+
+float length(const Vertex& from, const Vertex& to)
+{
+    return glm::distance(from.position, to.position);
 }
 
 }  // namespace
@@ -56,10 +60,8 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
     const float longest = std::max(1.0f, fine_enough);  // m
     std::vector<SurfaceSubmesh> submeshes;
     const auto add = [&](const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
-        const auto longer = [&](const SurfaceVertex& p, const SurfaceVertex& q) {
-            return glm::distance(p.vertex.position, q.vertex.position) > fine_enough;
-        };
-        const bool coarse = longer(a, b) || longer(b, c) || longer(c, a);
+        const bool coarse = std::max({length(a.vertex, b.vertex), length(b.vertex, c.vertex),
+                                      length(c.vertex, a.vertex)}) > fine_enough;
         std::vector<SurfaceVertex>& corners =
             coarse ? submeshes.back().coarse : submeshes.back().fine;
         corners.insert(corners.end(), {a, b, c});
@@ -76,26 +78,19 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
             submeshes.emplace_back();
         left.push_back({scene.corner(i), scene.corner(i + 1), scene.corner(i + 2)});
         while (!left.empty()) {
-            const std::array<Vertex, 3> triangle = left.back();
+            std::array<Vertex, 3> triangle = left.back();
             left.pop_back();
-            const glm::vec3 across = glm::cross(triangle[1].position - triangle[0].position,
-                                                triangle[2].position - triangle[0].position);
+            auto& [a, b, c] = triangle;
+            const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
             if (across.y <= least_upward * glm::length(across)) {
                 for (const Vertex& vertex : triangle)
                     submeshes.back().bare.push_back({vertex, 0, 0});
                 continue;
             }
             // Turned so that the longest edge comes first.
-            size_t split = 0;
-            const auto length = [&](size_t edge) {
-                return glm::distance(triangle[edge].position, triangle[(edge + 1) % 3].position);
-            };
-            for (const size_t edge : {1, 2}) {
-                if (length(edge) > length(split)) split = edge;
-            }
-            const Vertex a = triangle[split], b = triangle[(split + 1) % 3],
-                         c = triangle[(split + 2) % 3];
-            if (length(split) > longest) {
+            while (length(a, b) < std::max(length(b, c), length(c, a)))
+                std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+            if (length(a, b) > longest) {
                 const Vertex middle{0.5f * (a.position + b.position), 0.5f * (a.normal + b.normal),
                                     0.5f * (a.colour + b.colour), 0.5f * (a.uv + b.uv)};
                 left.push_back({a, middle, c});
@@ -104,8 +99,8 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
             }
             add({a, 1, 0}, {b, 1, 0}, {c, 1, 0});
             for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-                if (border.erase({point_of(to), point_of(from)}) == 0)
-                    border.insert({{point_of(from), point_of(to)}, {from, to}});
+                if (border.erase({point_of(to.position), point_of(from.position)}) == 0)
+                    border.insert({{point_of(from.position), point_of(to.position)}, {from, to}});
             }
         }
     }
@@ -120,7 +115,7 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
         add({to, 1, 1}, {from, 1, 1}, {from, 0, 1});
         add({to, 1, 1}, {from, 0, 1}, {to, 0, 1});
     }
-    displace_less_where_steep(submeshes);
+    fit_snow(submeshes);
     return submeshes;
 }
 
@@ -129,30 +124,31 @@ SurfaceSubmesh make_field(const VoxelGrid& grid, bool with_middle)
     constexpr float farthest = 1500;  // m
     constexpr float margin = 1;       // m, of the ring in which snow becomes that of the field
     constexpr float wider = 2;        // each other one than the one inside it
-    const int square = ground_square(grid), squares = (grid.resolution + square - 1) / square;
     const float half_size = 0.5f * grid.cell_size * float(grid.resolution);
-    const glm::vec2 middle = glm::vec2(grid.origin.x, grid.origin.z) + half_size;
-    const auto corner = [&](float size, int side, int i) {
-        const float t = float(std::min(i * square, grid.resolution)) / float(grid.resolution);
-        // Along two of the sides, which run the other way, so that corners match the ground's.
-        glm::vec2 at(2 * (side < 2 ? t : 1 - t) - 1, 1);
-        if (side % 2 == 1) at = {-at.y, at.x};
-        if (side == 2) at = {at.x, -1};
-        if (side == 3) at = {1, at.y};
-        at = middle + size * at;
-        const Vertex vertex{{at.x, ground_height, at.y}, {0, 1, 0}, ground_colour, {}};
+    std::vector<float> knots{-half_size, half_size};  // m from the middle, along x and z
+    for (int voxel = ground_square(grid); voxel < grid.resolution; voxel += ground_square(grid))
+        knots.push_back(float(voxel) * grid.cell_size - half_size);
+    for (float outer = half_size + margin; outer < wider * farthest; outer *= wider)
+        knots.insert(knots.end(), {-outer, outer});
+    std::sort(knots.begin(), knots.end());
+    const auto corner = [&](size_t x, size_t z) {
+        const glm::vec3 at(knots[x] + half_size, 0, knots[z] + half_size);
+        const Vertex vertex{{grid.origin.x + at.x, ground_height, grid.origin.z + at.z},
+                            {0, 1, 0},
+                            ground_colour,
+                            {}};
         return SurfaceVertex{vertex, 1, 0};
     };
     SurfaceSubmesh field;
-    float inner = with_middle ? 0 : half_size;
-    for (float outer = half_size + margin; inner < farthest; inner = outer, outer *= wider) {
-        std::vector<SurfaceVertex>& ring = inner == half_size ? field.coarse : field.bare;
-        for (int side = 0; side < 4; ++side) {
-            for (int i = 0; i < squares; ++i) {
-                const SurfaceVertex a = corner(inner, side, i), b = corner(inner, side, i + 1),
-                                    c = corner(outer, side, i), d = corner(outer, side, i + 1);
-                ring.insert(ring.end(), {a, c, d, a, d, b});
-            }
+    for (size_t x = 0; x + 1 < knots.size(); ++x) {
+        for (size_t z = 0; z + 1 < knots.size(); ++z) {
+            const float away = std::max({-knots[x], knots[x + 1], -knots[z], knots[z + 1]});
+            if (away <= half_size && !with_middle) continue;
+            const bool joins = away <= half_size + margin && !with_middle;
+            const SurfaceVertex a = corner(x, z), b = corner(x, z + 1), c = corner(x + 1, z),
+                                d = corner(x + 1, z + 1);
+            std::vector<SurfaceVertex>& ring = joins ? field.coarse : field.bare;
+            ring.insert(ring.end(), {a, b, d, a, d, c});
         }
     }
     return field;
@@ -170,27 +166,26 @@ SnowSurface::SnowSurface(const SolidScene& solid)
                 {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}},
                SHADOW | OCCLUSION | LAMP | SPARKLE),
       on_snow_tessellated_(
-          {{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface_patch.vert"},
+          {{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface.vert"},
            {GL_TESS_CONTROL_SHADER, "step06_accumulation/winter/surface/surface.tesc"},
            {GL_TESS_EVALUATION_SHADER, "step06_accumulation/winter/surface/surface.tese"},
            {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}},
-          SHADOW | OCCLUSION | LAMP | SPARKLE)
+          SHADOW | OCCLUSION | LAMP | SPARKLE | TESSELLATED)
 {
     std::vector<SurfaceVertex> vertices;
     std::vector<uint32_t> indices;
-    std::map<SurfaceVertex, uint32_t, BytewiseLess> known;
+    std::map<std::array<uint32_t, sizeof(SurfaceVertex) / 4>, uint32_t> known;  // by their bits
     const auto add = [&](std::vector<Range>& ranges, const std::vector<SurfaceVertex>& corners) {
         ranges.push_back({ranges.size(), indices.size(), GLsizei(corners.size())});
         for (const SurfaceVertex& corner : corners) {
-            const auto [found, is_new] = known.insert({corner, uint32_t(vertices.size())});
+            const auto [found, is_new] = known.insert(
+                {std::bit_cast<decltype(known)::key_type>(corner), uint32_t(vertices.size())});
             if (is_new) vertices.push_back(corner);
             indices.push_back(found->second);
         }
     };
     std::vector<SurfaceSubmesh> submeshes =
         make_snow_surface(solid.drawn, 3 * solid.grid.cell_size);
-    // Where cells are wider than a hollow, there is nothing to be seen of it, and much to search.
-    if (solid.grid.cell_size < 0.3f) find_hollows(submeshes);
     const SurfaceSubmesh field = make_field(solid.grid, solid.drawn.vertices.empty());
     // The last has no picture, as the field.
     std::vector<SurfaceVertex>& last = submeshes.back().coarse;
@@ -209,47 +204,41 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)),
                  indices.data(), GL_STATIC_DRAW);
     check_memory("the surface", double(vertices.size() * sizeof(SurfaceVertex)));
-    const auto field_of = [](GLuint location, GLint floats, size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(SurfaceVertex),
+    const GLint floats[] = {3, 3, 3, 2, 1, 1, 3};  // of the fields of SurfaceVertex, in their order
+    size_t offset = 0;
+    for (GLuint i = 0; i < std::size(floats); offset += sizeof(float) * size_t(floats[i++])) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, floats[i], GL_FLOAT, GL_FALSE, sizeof(SurfaceVertex),
                               reinterpret_cast<const void*>(offset));
-    };
-    field_of(0, 3, offsetof(Vertex, position));
-    field_of(1, 3, offsetof(Vertex, normal));
-    field_of(2, 3, offsetof(Vertex, colour));
-    field_of(3, 2, offsetof(Vertex, uv));
-    field_of(4, 1, offsetof(SurfaceVertex, displacement));
-    field_of(5, 1, offsetof(SurfaceVertex, skirt));
-    field_of(6, 4, offsetof(SurfaceVertex, even));
+    }
 }
 
-void SnowSurface::draw(unsigned features, bool tessellated, float lamp_is_on)
+void SnowSurface::draw(unsigned features, bool tessellated)
 {
     glBindVertexArray(vao_);
-    draw(GL_TRIANGLES, bare_, on_bare_.use(features), lamp_is_on);
-    draw(GL_TRIANGLES, fine_, on_snow_.use(features), lamp_is_on);
+    draw(GL_TRIANGLES, bare_, on_bare_.use(features));
+    draw(GL_TRIANGLES, fine_, on_snow_.use(features));
     if (tessellated) {
         glPatchParameteri(GL_PATCH_VERTICES, 3);
-        draw(GL_PATCHES, coarse_, on_snow_tessellated_.use(features), lamp_is_on);
+        draw(GL_PATCHES, coarse_, on_snow_tessellated_.use(features | TESSELLATED));
     } else {
-        draw(GL_TRIANGLES, coarse_, on_snow_.use(features), lamp_is_on);
+        draw(GL_TRIANGLES, coarse_, on_snow_.use(features));
     }
-    draw(GL_TRIANGLES, field_, on_field_.use(features), 0);
+    draw(GL_TRIANGLES, field_, on_field_.use(features));
 }
 
-void SnowSurface::draw(GLenum mode, const std::vector<Range>& ranges, Program& program,
-                       float lamp_is_on) const
+void SnowSurface::draw(GLenum mode, const std::vector<Range>& ranges, Program& program) const
 {
     constexpr float brightness = 12;  // of the glass of a lamp
     const std::vector<Submesh>& submeshes = solid_.drawn.submeshes;
     for (const Range& range : ranges) {
         if (range.count == 0) continue;
         solid_.pictures.set(program, range.submesh);
-        if (lamp_is_on > 0) {
-            const bool has_own = range.submesh < submeshes.size();  // the last is the snow's sides
-            program.set("own_light",
-                        has_own ? brightness * lamp_is_on * submeshes[range.submesh].material.light
-                                : glm::vec3(0));
+        const bool is_of_scene = range.submesh < submeshes.size();  // not of the snow's sides
+        if (&ranges != &field_) {
+            program.set("own_light", is_of_scene
+                                         ? brightness * submeshes[range.submesh].material.light
+                                         : glm::vec3(0));
         }
         glDrawElements(mode, range.count, GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(range.first * sizeof(uint32_t)));

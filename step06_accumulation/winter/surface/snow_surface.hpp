@@ -12,9 +12,7 @@ struct SurfaceVertex {
     Vertex vertex;
     float displacement;  // 1: moves with the snow, 0: stays; less than 1 where it is steep
     float skirt;         // 1: on the snow's side
-    // The surface when deep snow has filled its hollows: its normal, and how far above it lies, m.
-    // See hollows.hpp.
-    glm::vec4 even{0, 1, 0, 0};
+    glm::vec3 even_normal{0, 1, 0};  // of deep snow, which fills the hollows of the surface
 };
 
 // Three vertices in a row make a triangle.
@@ -25,24 +23,21 @@ struct SurfaceSubmesh {
 };
 
 // Cuts the scene into triangles no longer than a metre, the most that tessellation can divide into
-// pieces of a cell. What has no edge longer than `fine_enough`, m (in a large scene more than a
-// metre), or lies under no snow, is left alone. Where a surface that snow can lie on ends, a skirt
-// of two triangles an edge, flat until snow lifts its upper side, closes the gap to what stays
-// below. Returns one for each submesh of the scene, and one more, of all skirts.
+// pieces of a cell, or than `fine_enough`, m. Where a surface that snow can lie on ends, a skirt of
+// two triangles an edge, flat until snow lifts its upper side, closes the gap to what stays below.
+// Returns one for each submesh of the scene, and one more, of all skirts.
 std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_enough);
 
-// The field around the grid's cube as far as one sees, in rings: the innermost, which is coarse,
-// joins the squares of the ground in the cube; nothing lifts the others, which are bare, but the
-// snow on open ground. with_middle: in the cube, too.
+// The field around the grid's cube (with_middle: in it, too) as far as one sees, in rings: the
+// innermost, which is coarse, joins the ground in the cube, and frame.field_depth lifts the others.
 SurfaceSubmesh make_field(const VoxelGrid& grid, bool with_middle);
 
 class SnowSurface {
 public:
     explicit SnowSurface(const SolidScene& solid);
 
-    // Draws it in the light of these features (permutations.hpp), what snow bends tessellated or
-    // not. lamp_is_on: 0 to 1, how far what shines by itself does.
-    void draw(unsigned features, bool tessellated, float lamp_is_on);
+    // Draws it with these features (permutations.hpp), what snow bends tessellated or not.
+    void draw(unsigned features, bool tessellated);
 
 private:
     struct Range {
@@ -50,8 +45,7 @@ private:
         size_t first;  // of the indices
         GLsizei count;
     };
-    void draw(GLenum mode, const std::vector<Range>& ranges, Program& program,
-              float lamp_is_on) const;
+    void draw(GLenum mode, const std::vector<Range>& ranges, Program& program) const;
 
     const SolidScene& solid_;
     GlObject vertices_, indices_, vao_;

@@ -21,23 +21,11 @@ in vec4 air;                 // see air.glsl
 
 out vec4 colour;
 
-#ifdef LAMP
-uniform vec3 own_light;  // what the surface shines by itself
-#else
-const vec3 own_light = vec3(0.0);
-#endif
+uniform vec3 own_light;  // what the surface shines by itself when the lamp is on
 
-struct Look {
-    vec3 colour;     // of what is seen, linear
-    vec3 normal;     // towards the viewer, length 1
-    float cover;     // the fraction of it that is snow
-    float sunlight;  // the fraction of the sun's light that gets here
-};
-
-Look look_at_surface()
+// Finds the fraction of the surface that is snow, and the normal, of length 1, towards the viewer.
+void look(out float cover, out vec3 facing)
 {
-    Look look;
-    vec3 surface = with_picture(base_colour);
     bool is_behind = is_skirt == 0.0 && !gl_FrontFacing;
     vec3 normal = normalize(is_behind ? -base_normal : base_normal);
     vec4 fine = texture(grain, spot.position.xz / grain_size);
@@ -47,7 +35,7 @@ Look look_at_surface()
     lying = mix(lying, vec3(min(frame.field_depth, deep), 0.0, 0.0), beyond);
     // Steep surfaces hold less.
     float slipping = deep * (1.0 - smoothstep(0.1, 0.4, normal.y));
-    float cover = is_behind ? 0.0 : smoothstep(0.0, 0.008, lying.x - hollow * fine.b - slipping);
+    cover = is_behind ? 0.0 : smoothstep(0.0, 0.008, lying.x - hollow * fine.b - slipping);
     // What fills hollows is deeper in some of them than in others, and yet level.
     vec3 snow_normal = normal / max(normal.y, 0.2) - (1.0 - evened) * vec3(lying.y, 0.0, lying.z);
     if (is_skirt > 0.0) {
@@ -56,33 +44,12 @@ Look look_at_surface()
     }
     const float roughness = 0.5;
     snow_normal.xz += roughness * (fine.rg - 0.5);
-    look.cover = cover;
-    look.normal = normalize(mix(normal, normalize(snow_normal), cover));
-    look.colour = mix(surface, snow_colour, cover);
-    look.sunlight = sunlight_at(spot);
-    return look;
+    facing = normalize(mix(normal, normalize(snow_normal), cover));
 }
 
-// The light that it sends to the eye. Snow shines broadly where it mirrors the sun.
-vec3 light_from(Look look)
-{
-    vec3 halfway = normalize(frame.to_sun + normalize(frame.eye - spot.position));
-    float shine = max(dot(look.normal, halfway), 0.0);
-    shine *= shine, shine *= shine, shine *= shine;  // to the 8th
-    return lit(look.colour, look.normal, spot, look.sunlight, light_within * look.cover) +
-           0.1 * look.cover * shine * look.sunlight * frame.sun;
-}
-
-#ifdef SPARKLE
-// Uniform in [0, 1), one number for each square of the plane.
-float random_of(ivec2 square)
-{
-    return float(hash(uint(square.x) ^ hash(uint(square.y))) >> 8u) * (1.0 / 16777216.0);
-}
-
-// Light that crystals mirror into the eye. There is one in each square, as large as some pixels and turned at
-// random; few are turned so that they flash.
-vec3 glint(Look look)
+// How much of the sun's light crystals mirror into the eye. There is one in each square, as large as some
+// pixels and turned at random; few are turned so that they flash.
+float glint(vec3 normal)
 {
     vec3 to_eye = frame.eye - spot.position;
     float away = max(length(to_eye), 0.001);
@@ -90,19 +57,27 @@ vec3 glint(Look look)
     float pixel = 2.0 * away / (frame.projection[1][1] * float(frame.window_size.y));  // m
     float square = 0.004 * exp2(max(ceil(log2(1.5 * pixel / 0.004)), 0.0));
     ivec2 here = ivec2(floor(spot.position.xz / square));
-    vec3 turn = vec3(random_of(here), random_of(here + 7919), random_of(here - 7919)) - 0.5;
-    vec3 crystal = look.normal + 1.2 * turn, halfway = frame.to_sun + to_eye / away;  // neither may be 0
+    uint bits = hash(uint(here.x) ^ hash(uint(here.y)));
+    vec3 turn = vec3(bits & 1023u, bits >> 10u & 1023u, bits >> 20u & 1023u) / 1023.0 - 0.5;
+    vec3 crystal = normal + 1.2 * turn, halfway = frame.to_sun + to_eye / away;  // neither may be 0
     float mirrored = dot(crystal, halfway) / max(length(crystal) * length(halfway), 0.001);
-    return 4.0 * smoothstep(0.997, 1.0, mirrored) * exp(-0.06 * away) * look.sunlight * frame.sun;
+    return 4.0 * smoothstep(0.997, 1.0, mirrored) * exp(-0.06 * away);
 }
-#endif
 
 void main()
 {
-    Look look = look_at_surface();
-    vec3 radiance = light_from(look) + (1.0 - look.cover) * own_light;
+    vec3 surface = with_picture(base_colour), normal;
+    float cover;
+    look(cover, normal);
+    // Snow shines broadly where it mirrors the sun.
+    float shine = max(dot(normal, normalize(frame.to_sun + normalize(frame.eye - spot.position))), 0.0);
+    shine *= shine, shine *= shine, shine *= shine;  // to the 8th
+    float mirrored = 0.1 * cover * shine;
 #ifdef SPARKLE
-    if (look.cover > 0.5) radiance += glint(look);
+    if (cover > 0.5) mirrored += glint(normal);
 #endif
+    float sunlight = sunlight_at(spot);
+    vec3 radiance = lit(mix(surface, snow_colour, cover), normal, spot, sunlight, light_within * cover) +
+                    mirrored * sunlight * frame.sun + (1.0 - cover) * frame.lamp_is_on * own_light;
     colour = vec4(air.rgb + air.a * radiance, 1.0);
 }

@@ -29,12 +29,10 @@ void put_on_snow(Corner corner)
     // would be left if it could.
     float most = frame.field_depth + tan(radians(weather.repose)) * max(-away, 0.0);
     float depth = min(mix(depth_at(corner.position), frame.field_depth, beyond), most);
-    const float filling = 0.3;  // m of snow that fill all hollows
-    float filled = corner.displacement * smoothstep(0.0, filling, depth);
-    vec3 world_position = corner.position;
-    world_position.y += corner.displacement * depth + filled * corner.even.w;
-    base_normal = corner.skirt > 0.0 ? corner.normal : mix(corner.normal, corner.even.xyz, filled);
-    evened = filled * smoothstep(0.0, 0.05, distance(corner.normal, corner.even.xyz));
+    vec3 world_position = corner.position + vec3(0.0, corner.displacement * depth, 0.0);
+    float filled = smoothstep(0.0, 0.3, depth);
+    base_normal = mix(corner.normal, corner.even_normal, filled);
+    evened = filled * smoothstep(0.0, 0.05, distance(corner.normal, corner.even_normal));
     spot = spot_at(world_position, base_normal);
     base_colour = corner.colour;
     picture_uv = corner.uv;

@@ -7,21 +7,14 @@ layout(triangles, fractional_odd_spacing, ccw) in;  // even spacing knows no lev
 
 in Corner control[];
 
+#define BETWEEN(field) (t.x * control[0].field + t.y * control[1].field + t.z * control[2].field)
+
 void main()
 {
     vec3 t = gl_TessCoord;
     // The same on an edge, to the last bit, whichever of its two triangles asks: or there would be cracks.
-    precise vec3 position = t.x * control[0].position + t.y * control[1].position + t.z * control[2].position;
-    precise float displacement =
-        t.x * control[0].displacement + t.y * control[1].displacement + t.z * control[2].displacement;
-    precise vec4 even = t.x * control[0].even + t.y * control[1].even + t.z * control[2].even;
-    Corner between;
-    between.position = position;
-    between.normal = t.x * control[0].normal + t.y * control[1].normal + t.z * control[2].normal;
-    between.colour = t.x * control[0].colour + t.y * control[1].colour + t.z * control[2].colour;
-    between.uv = t.x * control[0].uv + t.y * control[1].uv + t.z * control[2].uv;
-    between.displacement = displacement;
-    between.skirt = control[0].skirt;
-    between.even = even;
-    put_on_snow(between);
+    precise vec3 position = BETWEEN(position);
+    precise float displacement = BETWEEN(displacement);
+    put_on_snow(Corner(position, BETWEEN(normal), BETWEEN(colour), BETWEEN(uv), displacement, control[0].skirt,
+                       BETWEEN(even_normal)));
 }

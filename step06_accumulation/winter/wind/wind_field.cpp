@@ -20,11 +20,11 @@ size_t cell_index(ivec3 cell)
 }
 
 template <typename Function>
-void for_each_cell(Function function)
+void for_each_cell(Function function, int end = n)
 {
-    for (int z = 0; z < n; ++z) {
-        for (int y = 0; y < n; ++y) {
-            for (int x = 0; x < n; ++x) function(ivec3(x, y, z));
+    for (int z = 0; z < end; ++z) {
+        for (int y = 0; y < end; ++y) {
+            for (int x = 0; x < end; ++x) function(ivec3(x, y, z));
         }
     }
 }
@@ -55,12 +55,10 @@ float open_fraction(const VoxelGrid& grid, ivec3 cell, int axis)
     return 1.0f - float(blocked) / float(size * size);
 }
 
-// Slows the air in the lee of everything, in wind along `axis`: from one layer of cells to the
-// next, away from where it comes from, each passes on what finds a way through, mixed with the air
-// beside it, as an eddy viscosity would (Counihan, Hunt and Jackson, "Wakes behind two-dimensional
-// surface obstacles in turbulent boundary layers", 1974; here some 0.1 m2/s for each m/s of wind).
-// Without this, air would close behind a wall just as it parts before it, and nowhere would it be
-// calm.
+// Slows the air in the lee of everything, or it would close behind a wall as it parts before it:
+// each layer of cells across `axis` passes on what finds a way through, mixed with the air beside
+// it, as an eddy viscosity would (Counihan, Hunt and Jackson, "Wakes behind two-dimensional surface
+// obstacles in turbulent boundary layers", 1974; here some 0.1 m2/s for each m/s of wind).
 void add_wake(AirFlow& flow, int axis)
 {
     const bool forwards = flow.speed[axis][0] > 0;
@@ -82,13 +80,12 @@ void add_wake(AirFlow& flow, int axis)
                 const ivec3 side = unit(across), top = unit(along);
                 const float mean = 0.2f * (left(cell) + left(cell - side) + left(cell + side) +
                                            left(cell - top) + left(cell + top));
-                const size_t face = AirFlow::face(cell.x, cell.y, cell.z);
+                const size_t face = AirFlow::face(cell);
                 flow.speed[axis][face] *= mean;
                 // The scene may have stood as far into the face before: only what is new stops air.
                 const ivec3 before = cell + (forwards ? -1 : 1) * unit(axis);
                 const float open = flow.open[axis][face];
-                const float was =
-                    i == 0 ? 1.0f : flow.open[axis][AirFlow::face(before.x, before.y, before.z)];
+                const float was = i == 0 ? 1.0f : flow.open[axis][AirFlow::face(before)];
                 next[size_t(n * b + a)] = open < was ? mean * open / was : open > 0 ? mean : 0;
             }
         }
@@ -101,9 +98,7 @@ float divergence(const AirFlow& flow, ivec3 cell)
 {
     float sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const ivec3 next = cell + unit(axis);
-        const size_t low = AirFlow::face(cell.x, cell.y, cell.z);
-        const size_t high = AirFlow::face(next.x, next.y, next.z);
+        const size_t low = AirFlow::face(cell), high = AirFlow::face(cell + unit(axis));
         sum += flow.open[axis][high] * flow.speed[axis][high] -
                flow.open[axis][low] * flow.speed[axis][low];
     }
@@ -119,14 +114,10 @@ void set_gradient(AirFlow& flow, const std::vector<float>& pressure)
         return inside ? pressure[cell_index(cell)] : 0.0f;
     };
     for (int axis = 0; axis < 3; ++axis) {
-        for (int z = 0; z <= n; ++z) {
-            for (int y = 0; y <= n; ++y) {
-                for (int x = 0; x <= n; ++x) {
-                    const ivec3 cell(x, y, z);
-                    flow.speed[axis][AirFlow::face(x, y, z)] = at(cell) - at(cell - unit(axis));
-                }
-            }
-        }
+        const auto set = [&](ivec3 cell) {
+            flow.speed[axis][AirFlow::face(cell)] = at(cell) - at(cell - unit(axis));
+        };
+        for_each_cell(set, n + 1);
     }
 }
 
@@ -136,8 +127,7 @@ vec3 AirFlow::at_cell(ivec3 cell) const
 {
     vec3 mean;
     for (int axis = 0; axis < 3; ++axis) {
-        const ivec3 next = cell + unit(axis);
-        const size_t low = face(cell.x, cell.y, cell.z), high = face(next.x, next.y, next.z);
+        const size_t low = face(cell), high = face(cell + unit(axis));
         mean[axis] =
             0.5f * (open[axis][low] * speed[axis][low] + open[axis][high] * speed[axis][high]);
     }
@@ -151,8 +141,7 @@ AirFlow flow_around(const VoxelGrid& grid, vec3 wind)
         flow.speed[axis].assign(size_t(n + 1) * (n + 1) * (n + 1), wind[axis]);
         flow.open[axis].assign(flow.speed[axis].size(), 1.0f);
         for_each_cell([&](ivec3 cell) {
-            flow.open[axis][AirFlow::face(cell.x, cell.y, cell.z)] =
-                open_fraction(grid, cell, axis);
+            flow.open[axis][AirFlow::face(cell)] = open_fraction(grid, cell, axis);
         });
         if (wind[axis] != 0) add_wake(flow, axis);
     }
@@ -193,14 +182,14 @@ AirFlow flow_around(const VoxelGrid& grid, vec3 wind)
     return flow;
 }
 
-const WindField::Flow& WindField::flow(float along_x, float along_z)
+const WindField::Flow& WindField::flow(int axis, float wind)
 {
-    const vec3 wind(along_x, 0, along_z);  // length 1, along one axis
-    Flow& flow = flows_[wind.x > 0 ? 0 : wind.x < 0 ? 1 : wind.z > 0 ? 2 : 3];
+    const float sign = wind < 0 ? -1 : 1;
+    Flow& flow = flows_[wind < 0 ? axis + 1 : axis];
     if (flow.texture != 0) return flow;
-    const AirFlow air = flow_around(grid_, wind);
+    const AirFlow air = flow_around(grid_, sign * vec3(unit(axis)));
     flow.velocity.resize(size_t(n) * n * n);
-    const float sign = wind.x + wind.z;  // the shader multiplies with the wind's own
+    // `sign` once more, as the shader multiplies with the wind's own.
     for_each_cell([&](ivec3 cell) { flow.velocity[cell_index(cell)] = sign * air.at_cell(cell); });
     flow.texture = make_texture();
     glBindTexture(GL_TEXTURE_3D, flow.texture);
@@ -215,20 +204,14 @@ const WindField::Flow& WindField::flow(float along_x, float along_z)
 
 void WindField::bind(vec3 wind)
 {
-    if (wind.x != 0) bind_texture(WIND_X_UNIT, GL_TEXTURE_3D, flow(wind.x < 0 ? -1 : 1, 0).texture);
-    if (wind.z != 0) bind_texture(WIND_Z_UNIT, GL_TEXTURE_3D, flow(0, wind.z < 0 ? -1 : 1).texture);
+    if (wind.x != 0) bind_texture(WIND_X_UNIT, GL_TEXTURE_3D, flow(0, wind.x).texture);
+    if (wind.z != 0) bind_texture(WIND_Z_UNIT, GL_TEXTURE_3D, flow(2, wind.z).texture);
 }
 
 // With fixed functions, as in step 1: every other cell along x and z, every third above the ground.
 void WindField::draw_arrows(vec3 wind, const glm::mat4& view, const glm::mat4& projection)
 {
     const float cell_size = grid_.cell_size * float(grid_.resolution) / n;  // m
-    const auto velocity = [&](size_t cell) {
-        vec3 sum(0);
-        if (wind.x != 0) sum += wind.x * flow(wind.x < 0 ? -1 : 1, 0).velocity[cell];
-        if (wind.z != 0) sum += wind.z * flow(0, wind.z < 0 ? -1 : 1).velocity[cell];
-        return sum;
-    };
     glUseProgram(0);
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(&projection[0][0]);
@@ -238,7 +221,10 @@ void WindField::draw_arrows(vec3 wind, const glm::mat4& view, const glm::mat4& p
     glBegin(GL_TRIANGLES);
     for_each_cell([&](ivec3 cell) {
         if (cell.x % 2 != 0 || cell.z % 2 != 0 || cell.y % 3 != 1 || cell.y > 12) return;
-        const vec3 air = velocity(cell_index(cell));
+        vec3 air(0);
+        for (const int axis : {0, 2})
+            if (wind[axis] != 0)
+                air += wind[axis] * flow(axis, wind[axis]).velocity[cell_index(cell)];
         const float speed = glm::length(air) / std::max(glm::length(wind), 0.001f);
         if (speed < 0.02f) return;
         const vec3 along = 1.6f * cell_size * std::min(speed, 1.5f) * glm::normalize(air);

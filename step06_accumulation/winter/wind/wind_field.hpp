@@ -16,17 +16,17 @@ struct AirFlow {
     std::vector<float> open[3];       // fraction of the face that the scene leaves free, 0 to 1
     float residual;  // largest net flow out of a cell, relative to that through a face
 
-    static size_t face(int i, int j, int k)
+    static size_t face(glm::ivec3 cell)  // the index of its lower face
     {
-        return (size_t(k) * (cells + 1) + size_t(j)) * (cells + 1) + size_t(i);
+        return (size_t(cell.z) * (cells + 1) + size_t(cell.y)) * (cells + 1) + size_t(cell.x);
     }
     glm::vec3 at_cell(glm::ivec3 cell) const;  // m/s, the mean of the cell's faces
 };
 
-// Takes the even wind, slows it in the lee of everything, and removes from it, by the gradient of a
-// pressure, what would flow into or out of any cell (the projection of Stam, "Stable Fluids", 1999;
-// wakes first and then this is how Rockle's wind model for cities, 1990, goes about it). No air
-// flows through the ground; on the other sides of the cube it is free to.
+// Takes the even wind, slows it in the lee of everything (wakes as in Rockle's wind model for
+// cities, 1990), and removes from it, by the gradient of a pressure, what would flow into or out of
+// any cell (the projection of Stam, "Stable Fluids", 1999). Only through the ground no air can
+// leave the cube.
 AirFlow flow_around(const VoxelGrid& grid, glm::vec3 wind);
 
 // The flow for wind towards +x, -x, +z and -z, each computed when it is first wanted. Any wind is a
@@ -46,7 +46,7 @@ private:
         std::vector<glm::vec3> velocity;  // m/s in each cell
         GlObject texture;                 // the same on the GPU
     };
-    const Flow& flow(float along_x, float along_z);
+    const Flow& flow(int axis, float wind);  // of its sign, along x or z
 
     const VoxelGrid& grid_;
     Flow flows_[4];

@@ -33,8 +33,8 @@ TEST_P(DepthOrderOf, SortsThoseThatLive)
     order.sort(particles, live);
 
     std::set<unsigned> alive;
-    for (const LiveFlakes::Range& half : live) {
-        for (int i = half.first; i < half.first + half.count; ++i) alive.insert(unsigned(i));
+    for (const int half : {0, 1}) {
+        for (int i = 0; i < live.count[half]; ++i) alive.insert(unsigned(live.first[half] + i));
     }
     std::vector<unsigned> sorted(alive.size());
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, order.order());

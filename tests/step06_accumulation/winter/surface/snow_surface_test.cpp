@@ -1,4 +1,4 @@
-// The surface of the snow: deep snow is even on what is not, and the field joins the ground.
+// The surface of the snow: how fine it is, how steep parts rise, how the field joins the ground.
 #include "step06_accumulation/winter/surface/snow_surface.hpp"
 
 #include <gtest/gtest.h>
@@ -9,57 +9,8 @@
 #include <utility>
 
 #include "step05_collision/ground.hpp"
-#include "step06_accumulation/winter/surface/hollows.hpp"
-
-namespace {
 
 using glm::vec3;
-
-constexpr float ridge = 0.04f;  // m, above the valley
-
-// A roof of tiles: ridges and valleys 0.1 m apart, along z, on a plane that rises along x.
-float height(float x)
-{
-    return 0.3f * x + ridge * float(int(std::lround(10 * x)) & 1);
-}
-
-std::vector<SurfaceSubmesh> tiles()
-{
-    const auto corner = [](int x, float z) {
-        return SurfaceVertex{
-            {{0.1f * float(x), height(0.1f * float(x)), z}, {0, 1, 0}, {}, {}}, 1, 0, {}};
-    };
-    std::vector<SurfaceSubmesh> submeshes(1);
-    for (int x = -20; x < 20; ++x) {
-        const SurfaceVertex a = corner(x, -2), b = corner(x, 2), c = corner(x + 1, 2),
-                            d = corner(x + 1, -2);
-        submeshes[0].fine.insert(submeshes[0].fine.end(), {a, b, c, a, c, d});
-    }
-    return submeshes;
-}
-
-}  // namespace
-
-TEST(Hollows, AreFilledUpToTheMeanPlane)
-{
-    std::vector<SurfaceSubmesh> submeshes = tiles();
-    // Only corners in the middle, around which there is roof on all sides.
-    for (SurfaceVertex& corner : submeshes[0].fine) corner.vertex.position.z *= 0.1f;
-    std::vector<SurfaceSubmesh> around = tiles();
-    around.push_back(submeshes[0]);
-    find_hollows(around);
-    int seen = 0;
-    for (const SurfaceVertex& corner : around[1].fine) {
-        const vec3 p = corner.vertex.position;
-        if (std::abs(p.x) > 1) continue;
-        ++seen;
-        const float even = p.y + corner.even.w;
-        EXPECT_NEAR(even, 0.3f * p.x + 0.5f * ridge, 0.25f * ridge) << p.x;
-        const vec3 plane = glm::normalize(vec3(-0.3f, 1, 0));
-        EXPECT_GT(glm::dot(vec3(corner.even), plane), 0.995f) << p.x;  // 6 degrees; a tile has 22
-    }
-    EXPECT_GT(seen, 50);
-}
 
 // Where cells are wider than a metre, pieces of a metre show nothing more, and take long to make.
 TEST(SnowSurface, IsNoFinerThanItsCellsAskFor)

@@ -32,7 +32,7 @@ TEST(Tessellation, DividesNothingWhereNoSnowLies)
     glGenQueries(1, &query);
     for (const bool tessellated : {false, true}) {
         glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-        surface.draw(0, tessellated, 0);
+        surface.draw(0, tessellated);
         glEndQuery(GL_PRIMITIVES_GENERATED);
         glGetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles[tessellated]);
     }

@@ -57,8 +57,7 @@ float largest_divergence(const AirFlow& flow)
         for (int axis = 0; axis < 3; ++axis) {
             ivec3 next = cell;
             ++next[axis];
-            const size_t low = AirFlow::face(cell.x, cell.y, cell.z);
-            const size_t high = AirFlow::face(next.x, next.y, next.z);
+            const size_t low = AirFlow::face(cell), high = AirFlow::face(next);
             sum += flow.open[axis][high] * flow.speed[axis][high] -
                    flow.open[axis][low] * flow.speed[axis][low];
         }
@@ -103,13 +102,13 @@ TEST(Wind, DoesNotFlowThroughWhatIsSolid)
     for (int y = 0; y <= last.y; ++y) {
         for (int z = first.z; z <= last.z; ++z) {
             for (int x = first.x; x <= last.x + 1; ++x) {
-                EXPECT_EQ(flow.open[0][AirFlow::face(x, y, z)], 0) << x << " " << y << " " << z;
+                EXPECT_EQ(flow.open[0][AirFlow::face({x, y, z})], 0) << x << " " << y << " " << z;
             }
             EXPECT_EQ(flow.at_cell({12, y, z}), vec3(0));
         }
     }
     for (int i = 0; i < n * n; ++i) {
-        EXPECT_EQ(flow.open[1][AirFlow::face(i % n, 0, i / n)], 0) << "the ground";
+        EXPECT_EQ(flow.open[1][AirFlow::face({i % n, 0, i / n})], 0) << "the ground";
     }
 }
 
