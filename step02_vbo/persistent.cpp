@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "common/gl_object.hpp"
-#include "common/harness/driver.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
 #include "step01_cpu_points/groups.hpp"
@@ -21,7 +20,7 @@ void run_persistent(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    if (!has_extension("GL_ARB_buffer_storage")) {
+    if (!GLEW_ARB_buffer_storage) {
         throw std::runtime_error("--variant persistent needs OpenGL 4.4: try orphan");
     }
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "common/harness/driver.hpp"
 #include "common/program.hpp"
 #include "common/uniform_block.hpp"
 #include "common/window.hpp"
@@ -46,7 +45,7 @@ void run_geometry(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    if (!has_extension("GL_ARB_transform_feedback2")) {
+    if (!GLEW_ARB_transform_feedback2) {
         throw std::runtime_error("--variant geometry needs OpenGL 4.0: try feedback");
     }
 

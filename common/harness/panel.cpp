@@ -9,21 +9,7 @@
 #include <imgui_impl_glut.h>
 #include <imgui_impl_opengl2.h>
 
-#include "common/harness/driver.hpp"
-
 namespace {
-
-// Free memory of the graphics card, MiB; 0 where the driver does not tell.
-int free_video_memory()
-{
-    GLint kibibytes[4] = {};
-    if (GLEW_NVX_gpu_memory_info) {
-        glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes);
-    } else if (GLEW_ATI_meminfo) {
-        glGetIntegerv(GL_VBO_FREE_MEMORY_ATI, kibibytes);
-    }
-    return kibibytes[0] / 1024;
-}
 
 void draw_times(const std::deque<FrameTime>& frames)
 {
@@ -73,13 +59,11 @@ void draw_parameter(const snow::Parameter& parameter)
 void draw_parameters(const std::vector<snow::Parameter>& parameters)
 {
     std::vector<std::string_view> headings;  // in the order in which they first come
-    float longest = 0;                       // of the labels, pixels
     for (const snow::Parameter& parameter : parameters) {
-        longest = std::max(longest, ImGui::CalcTextSize(parameter.label).x);
         if (std::find(headings.begin(), headings.end(), parameter.heading) == headings.end())
             headings.push_back(parameter.heading);
     }
-    ImGui::PushItemWidth(-longest - ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::PushItemWidth(0.5f * ImGui::GetWindowWidth());
     for (const std::string_view heading : headings) {
         if (!heading.empty() && !ImGui::CollapsingHeader(heading.data())) continue;
         for (const snow::Parameter& parameter : parameters) {
@@ -149,11 +133,6 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     ImGui::Begin(command.lesson.name.c_str(), nullptr, ImGuiWindowFlags_NoResize);
     ImGui::TextWrapped("%s", renderer.c_str());
     draw_times(frames);
-    ImGui::Text("memory %.0f MiB", process_memory());
-    if (const int free = free_video_memory()) {
-        ImGui::SameLine();
-        ImGui::Text("video memory free %d MiB", free);
-    }
     if (!controls.note.empty()) ImGui::TextUnformatted(controls.note.c_str());
 
     ImGui::Separator();
@@ -196,12 +175,11 @@ bool Panel::press_key(unsigned char key, int x, int y)
 
 bool Panel::press_button(int button, int state, int x, int y)
 {
-    constexpr int wheel_up = 3, wheel_down = 4;  // as freeglut passes them on
-    if (button == wheel_up || button == wheel_down) {
-        if (state == GLUT_DOWN) ImGui_ImplGLUT_MouseWheelFunc(0, button == wheel_up ? 1 : -1, x, y);
-    } else {
+    const int notches = wheel_notches(button);
+    if (notches == 0)
         ImGui_ImplGLUT_MouseFunc(button, state, x, y);
-    }
+    else if (state == GLUT_DOWN)
+        ImGui_ImplGLUT_MouseWheelFunc(0, notches, x, y);
 #if IMGUI_VERSION_NUM < 18700  // from then on its GLUT backend sees to this
     ImGui::GetIO().KeyCtrl = (glutGetModifiers() & GLUT_ACTIVE_CTRL) != 0;
 #endif

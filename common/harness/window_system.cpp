@@ -4,23 +4,17 @@
 #ifdef _WIN32
 #include <GL/freeglut.h>
 #include <GL/wglew.h>
-#define PSAPI_VERSION 2  // GetProcessMemoryInfo is in a library that every program has
-#include <psapi.h>
 
-namespace {
+static std::function<void()> ask_for_the_end;
+static WNDPROC freeglut_procedure = nullptr;
 
-std::function<void()> ask_for_the_end;
-WNDPROC freeglut_procedure = nullptr;
-
-LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first, LPARAM second)
+static LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first, LPARAM second)
 {
     if (message != WM_CLOSE)
         return CallWindowProc(freeglut_procedure, window, message, first, second);
     ask_for_the_end();
     return 0;
 }
-
-}  // namespace
 
 const char* set_vsync(bool wait)
 {
@@ -43,20 +37,11 @@ void take_close_button(const std::function<void()>& ask)
                                                    reinterpret_cast<LONG_PTR>(window_procedure)));
 }
 
-double process_memory()
-{
-    PROCESS_MEMORY_COUNTERS counters{};
-    GetProcessMemoryInfo(GetCurrentProcess(), &counters, sizeof counters);
-    return double(counters.WorkingSetSize) / (1 << 20);
-}
-
 #else
 #include <GL/glxew.h>  // in a file of its own: X11 has a type called Window, too
 #include <X11/Xatom.h>
-#include <unistd.h>
 
 #include <cstring>
-#include <fstream>
 
 const char* set_vsync(bool wait)
 {
@@ -79,12 +64,5 @@ void set_title(const char* title)
 }
 
 void take_close_button(const std::function<void()>&) {}
-
-double process_memory()
-{
-    long pages = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> pages >> resident;
-    return double(resident) * double(sysconf(_SC_PAGESIZE)) / (1 << 20);
-}
 
 #endif

@@ -48,12 +48,6 @@ def test_one_output_that_fails_leaves_the_old_file_and_takes_no_other_with_it(pr
     assert (tmp_path / "last.png").read_text() == "old"
 
 
-def test_no_film_is_mixed_with_an_older_one(programs, tmp_path):
-    programs.run_well(STEP, *FEW, "--record", tmp_path)
-    result = programs.run(STEP, *SMALL, "--frames", 1, "--record", tmp_path)
-    assert fails_with_one_line(result, 1, tmp_path, "film")
-
-
 def start(programs, folder, *arguments):
     process = subprocess.Popen(programs.command(*arguments), cwd=folder, text=True,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
