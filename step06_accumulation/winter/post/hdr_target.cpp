@@ -6,7 +6,7 @@ namespace {
 
 GlObject make_renderbuffer_of(GLenum format, glm::ivec2 size, int samples)
 {
-    GlObject made = make_renderbuffer();
+    GlObject made(glGenRenderbuffers, glDeleteRenderbuffers);
     glBindRenderbuffer(GL_RENDERBUFFER, made);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, size.x,
                                      size.y);

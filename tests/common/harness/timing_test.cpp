@@ -99,7 +99,7 @@ TEST(Timing, FrameTimesAddUpToTheLoop)
 
 TEST(CheckMemory, SaysOtherErrorsToo)
 {
-    EXPECT_EQ(the_busy_run().said, "OpenGL error 0x0500 up to a test");
+    EXPECT_EQ(the_busy_run().said, "a test: OpenGL error 0x0500");
 }
 
 TEST(Timing, ARendererMayHaveQuotes)
