@@ -1,6 +1,5 @@
 // The variant "persistent": same as main.cpp, but the flakes are copied straight into memory that
-// the GPU reads, without a call. Nobody waits for us there any more, so we wait, at a fence. New
-// calls: glBufferStorage, glMapBufferRange, glFenceSync, glClientWaitSync.
+// the GPU reads, without a call. Nobody waits for us there any more, so we wait, at a fence.
 
 #include <GL/glew.h>
 

@@ -1,8 +1,6 @@
 // The variant "geometry": same as main.cpp, but the buffer holds only flakes that live, as
 // Pettersson and Jin have it: a geometry shader emits each flake that lives on; then those that are
-// born are appended. The GPU draws as many as it has written, without telling their number. New
-// calls: glGenTransformFeedbacks, glBindTransformFeedback, glDrawTransformFeedback,
-// glVertexAttribIPointer.
+// born are appended. The GPU draws as many as it has written, without telling their number.
 
 #include <GL/glew.h>
 
