@@ -3,12 +3,11 @@
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <regex>
 #include <stdexcept>
 
 #include "common/harness/options.hpp"
@@ -96,12 +95,8 @@ const std::string& renderer_name()
 
 bool renders_in_software()
 {
-    std::string name = renderer;  // "virgl (LLVMPIPE ...)", too
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
-    for (const char* software : {"llvmpipe", "lavapipe", "softpipe", "swrast", "swr", "software",
-                                 "gdi generic", "basic render"}) {
-        if (name.find(software) != std::string::npos) return true;
-    }
-    return false;
+    static const std::regex software(
+        "llvmpipe|lavapipe|softpipe|swrast|swr|software|gdi generic|basic render",
+        std::regex::icase);  // "virgl (LLVMPIPE ...)", too
+    return std::regex_search(renderer, software);
 }

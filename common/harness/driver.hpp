@@ -19,9 +19,8 @@ bool renders_in_software();
 
 // ---- What the window system has and GLUT lacks: window_system.cpp
 
-// Asks the driver of the current context to wait for the display, or not to. Returns "on" or "off",
-// or "off (not reported)" where it has no such thing; null if it cannot wait.
-const char* set_vsync(bool wait);
+// Has the driver wait for the display, or not. False: it cannot be told.
+bool set_vsync(bool wait);
 
 // Names the window of the current context.
 void set_title(const char* title);

@@ -38,8 +38,7 @@ Harness::Harness(CommandLine line)
     the_harness = this;
     camera_ = command_.camera;
     open_window(command_);
-    vsync_ = set_vsync(command_.vsync);
-    if (vsync_ == nullptr)
+    if (!set_vsync(command_.vsync) && command_.vsync)
         throw std::runtime_error("--vsync: this driver cannot wait for the display");
     panel_.emplace();
 
@@ -79,7 +78,8 @@ void Harness::begin_run()
     std::printf("%s %s: %s, OpenGL %s, %u flakes of %.*f MiB, %dx%d, vsync %s\n",
                 command_.lesson.name.c_str(), command_.variant.c_str(), renderer_name().c_str(),
                 reinterpret_cast<const char*>(glGetString(GL_VERSION)), command_.weather.particles,
-                mebibytes < 10 ? 1 : 0, mebibytes, command_.size.x, command_.size.y, vsync_);
+                mebibytes < 10 ? 1 : 0, mebibytes, command_.size.x, command_.size.y,
+                command_.vsync ? "on" : "off");
     if (renders_in_software()) {
         std::puts("warning: OpenGL runs in software here: times say nothing about a graphics card");
         leave_off_what_is_costly();
@@ -224,24 +224,16 @@ void Harness::swap_buffers()
 void Harness::save_frame()
 {
     if (interrupted) closing_ = true;
-    const bool last = closing_ || enough();
-    const bool asked = std::exchange(controls_.save_picture, false);
-    const bool counts = drawn_ > command_.warmup;
-    std::vector<std::filesystem::path> paths;
-    if (last && !command_.screenshot.empty()) paths.push_back(command_.screenshot);
-    if (counts && !command_.record.empty()) {
-        char name[32];
-        std::snprintf(name, sizeof name, "%06llu.png",
-                      static_cast<unsigned long long>(drawn_ - command_.warmup));
-        paths.push_back(command_.record / name);
+    const auto save = [this](const std::filesystem::path& path, bool matters = true) {
+        attempt([&] { write_file(path, png_of_back_buffer(size_)); }, matters);
+    };
+    if ((closing_ || enough()) && !command_.screenshot.empty()) save(command_.screenshot);
+    if (drawn_ > command_.warmup && !command_.record.empty()) {
+        const std::string number = std::to_string(1'000'000 + drawn_ - command_.warmup);
+        save(command_.record / (number.substr(1) + ".png"));
     }
-    if (paths.empty() && !asked) return;
-    attempt([&] {
-        const std::string png = png_of_back_buffer(size());
-        for (const std::filesystem::path& path : paths) write_file(path, png);
-        // Where this one cannot be written it is no reason to end the run and lose its results.
-        if (asked) attempt([&] { write_file(command_.lesson.name + ".png", png); }, false);
-    });
+    // Where this one cannot be written it is no reason to end the run and lose its results.
+    if (std::exchange(controls_.save_picture, false)) save(command_.lesson.name + ".png", false);
 }
 
 void Harness::show_frame_time()
@@ -265,16 +257,10 @@ void Harness::report()
     timer_.finish();
     if (command_.benchmark) {
         print_summary(timer_.frames());
-        const uint64_t asked = uint64_t(*command_.frames) + command_.warmup;
-        if (drawn_ < asked) {
-            std::cout << "benchmark: cut short after " << drawn_ << " of " << asked
-                      << " frames, warm-up included" << std::endl;
-        }
+        if (!enough()) std::puts("benchmark: cut short");
     }
-    if (command_.csv.empty()) return;
-    attempt([&] {
-        write_file(command_.csv, csv_of(timer_.frames(), command_, size(), renderer_name()));
-    });
+    const std::string csv = csv_of(timer_.frames(), command_, size(), renderer_name());
+    if (!command_.csv.empty()) attempt([&] { write_file(command_.csv, csv); });
 }
 
 void Harness::stand_on(const Terrain& terrain)

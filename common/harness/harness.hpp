@@ -59,7 +59,6 @@ private:
     FrameTimer timer_;
     std::optional<Panel> panel_;
     bool show_panel_;
-    const char* vsync_ = "";
     bool failed_ = false;
     bool closing_ = false, gone_ = false;  // the window is to be closed; it is closed
     bool drawn_now_ = false;               // a frame waits to be shown

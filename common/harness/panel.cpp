@@ -27,14 +27,8 @@ void draw_times(const std::deque<FrameTime>& frames)
                      ImVec2(ImGui::GetContentRegionAvail().x, 4 * ImGui::GetFontSize()));
     if (frames.empty()) return;
     const size_t behind = std::min<size_t>(frames.size(), 8);  // its GPU times have arrived by now
-    for (const StageTime& stage : frames[frames.size() - behind].stages) {
-        const double gpu = stage.gpu_ms.value_or(0);
-        char label[64];
-        std::snprintf(label, sizeof label, "%s  cpu %.2f  gpu %.2f ms", stage.name.c_str(),
-                      stage.cpu_ms, gpu);
-        ImGui::ProgressBar(float(std::max(stage.cpu_ms, gpu) / std::max(median, 1e-3)),
-                           ImVec2(-1, 0), label);
-    }
+    for (const auto& [name, cpu_ms, gpu_ms, queries] : frames[frames.size() - behind].stages)
+        ImGui::Text("%-10s cpu %6.2f  gpu %6.2f ms", name.c_str(), cpu_ms, gpu_ms.value_or(0));
 }
 
 // A slider, or a check box for a switch.

@@ -16,11 +16,9 @@ static LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first
     return 0;
 }
 
-const char* set_vsync(bool wait)
+bool set_vsync(bool wait)
 {
-    if (!WGLEW_EXT_swap_control) return wait ? nullptr : "off (not reported)";
-    wglSwapIntervalEXT(wait ? 1 : 0);
-    return wait ? "on" : "off";
+    return WGLEW_EXT_swap_control && wglSwapIntervalEXT(wait ? 1 : 0);
 }
 
 void set_title(const char* title)
@@ -43,11 +41,11 @@ void take_close_button(const std::function<void()>& ask)
 
 #include <cstring>
 
-const char* set_vsync(bool wait)
+bool set_vsync(bool wait)
 {
-    if (!GLXEW_EXT_swap_control) return wait ? nullptr : "off (not reported)";
+    if (!GLXEW_EXT_swap_control) return false;
     glXSwapIntervalEXT(glXGetCurrentDisplay(), glXGetCurrentDrawable(), wait ? 1 : 0);
-    return wait ? "on" : "off";
+    return true;
 }
 
 // Not by glutSetWindowTitle: that of freeglut 3.8 ends the program (BadAtom in XDeleteProperty)
