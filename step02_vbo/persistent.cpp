@@ -4,7 +4,6 @@
 #include <GL/glew.h>
 
 #include <cstring>
-#include <glm/gtc/type_ptr.hpp>
 #include <stdexcept>
 
 #include "common/gl_object.hpp"

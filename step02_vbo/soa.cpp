@@ -4,8 +4,6 @@
 
 #include <GL/glew.h>
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "common/gl_object.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"

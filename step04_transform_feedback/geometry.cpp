@@ -24,11 +24,6 @@ struct LiveFlake {
 };
 static_assert(sizeof(LiveFlake) == 36, "as transform feedback writes it");
 
-GlObject make_transform_feedback()
-{
-    return {glGenTransformFeedbacks, glDeleteTransformFeedbacks};
-}
-
 // A flake that waits to be born, after that many time steps: added up as all updates do, with the
 // same rounding.
 Particle waited(Particle p, uint ticks, const Weather& weather)
@@ -85,7 +80,7 @@ void run_geometry(Window& window)
     // Each knows its buffer, and how much was written there last: nothing yet.
     update.use();
     for (int i : {first, second}) {
-        feedbacks[i] = make_transform_feedback();
+        feedbacks[i] = GlObject(glGenTransformFeedbacks, glDeleteTransformFeedbacks);
         glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedbacks[i]);
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, buffers[i]);
         glBeginTransformFeedback(GL_POINTS);
