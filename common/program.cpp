@@ -56,16 +56,6 @@ struct Source {
     }
 };
 
-// What the driver has written: call one of glGetShaderInfoLog and glGetProgramInfoLog.
-template <typename GetLog>
-std::string log_of(GetLog get_log, GLuint name)
-{
-    char log[10000] = {};
-    get_log(name, sizeof log, nullptr, log);
-    const std::string text = log;
-    return text.substr(0, text.find_last_not_of("\n") + 1);
-}
-
 GlObject compile(const Shader& shader, const std::string& defines, std::string& all_sources)
 {
     Source source;
@@ -79,11 +69,11 @@ GlObject compile(const Shader& shader, const std::string& defines, std::string& 
     glCompileShader(id);
     GLint compiled = 0;
     glGetShaderiv(id, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) {
-        throw std::runtime_error("shader " + shader.file + " does not compile:\n" +
-                                 source.translate(log_of(glGetShaderInfoLog, id)));
-    }
-    return id;
+    if (compiled) return id;
+    char log[10000] = {};
+    glGetShaderInfoLog(id, sizeof log, nullptr, log);
+    throw std::runtime_error("shader " + shader.file + " does not compile:\n" +
+                             source.translate(log));
 }
 
 }  // namespace
@@ -104,8 +94,9 @@ Program::Program(const std::vector<Shader>& shaders, const std::vector<const cha
     GLint linked = 0;
     glGetProgramiv(id_, GL_LINK_STATUS, &linked);
     if (!linked) {  // so does a varying that no shader writes
-        throw std::runtime_error("shaders " + files_ + " do not link:\n" +
-                                 log_of(glGetProgramInfoLog, id_));
+        char log[10000] = {};
+        glGetProgramInfoLog(id_, sizeof log, nullptr, log);
+        throw std::runtime_error("shaders " + files_ + " do not link:\n" + log);
     }
     const GLuint block = glGetUniformBlockIndex(id_, "WeatherBlock");
     if (block == GL_INVALID_INDEX) return;

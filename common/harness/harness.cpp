@@ -82,7 +82,15 @@ void Harness::begin_run()
                 command_.vsync ? "on" : "off");
     if (renders_in_software()) {
         std::puts("warning: OpenGL runs in software here: times say nothing about a graphics card");
-        leave_off_what_is_costly();
+        std::string names;
+        for (const snow::Parameter& parameter : command_.parameters()) {
+            // Once: a user who turns it on later has decided, too.
+            if (!parameter.costly || !command_.decided.insert(parameter.name).second) continue;
+            parameter.set(0);
+            names += std::string(names.empty() ? " " : ", ") + parameter.name;
+        }
+        if (!names.empty())
+            std::printf("left off in software, unless --set NAME=1:%s\n", names.c_str());
     }
     std::fflush(stdout);
 }
@@ -92,19 +100,6 @@ bool Harness::restarted()
     if (closing_ || !controls_.restart) return false;
     begin_run();
     return true;
-}
-
-void Harness::leave_off_what_is_costly()
-{
-    std::string names;
-    for (const snow::Parameter& parameter : command_.parameters()) {
-        // Once: a user who turns it on later has decided, too.
-        if (!parameter.costly || !command_.decided.insert(parameter.name).second) continue;
-        parameter.set(0);
-        names += std::string(names.empty() ? "" : ", ") + parameter.name;
-    }
-    if (!names.empty())
-        std::printf("left off in software, unless --set NAME=1: %s\n", names.c_str());
 }
 
 bool Harness::enough() const

@@ -41,7 +41,6 @@ private:
     bool measuring() const { return command_.benchmark || !command_.csv.empty(); }
     bool enough() const;
     void begin_run();
-    void leave_off_what_is_costly();
     void pace();
     void move_camera();
     void save_frame();

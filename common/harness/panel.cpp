@@ -14,11 +14,8 @@ namespace {
 void draw_times(const std::deque<FrameTime>& frames)
 {
     std::vector<double> times;
-    std::vector<float> plot;
-    for (const FrameTime& frame : frames) {
-        times.push_back(frame.frame_ms);
-        plot.push_back(float(frame.frame_ms));
-    }
+    for (const FrameTime& frame : frames) times.push_back(frame.frame_ms);
+    const std::vector<float> plot(times.begin(), times.end());
     const double median = quantile(times, 0.5), p95 = quantile(times, 0.95);
     ImGui::Text("%.2f ms a frame (%.0f fps), p95 %.2f ms", median, 1000 / std::max(median, 1e-3),
                 p95);
@@ -155,9 +152,7 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     controls.single_step |= ImGui::Button("single step");
     ImGui::SameLine();
     controls.restart |= ImGui::Button("restart");
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", keys_help(parameters).c_str());
-    ImGui::PopStyleColor();
     ImGui::End();
 }
 
