@@ -17,10 +17,11 @@ public:
     {
         generate(1, &id_);
     }
-    GlObject(GlObject&& other) noexcept { swap(other); }
+    GlObject(GlObject&& other) noexcept { *this = std::move(other); }
     GlObject& operator=(GlObject&& other) noexcept
     {
-        swap(other);
+        std::swap(id_, other.id_);
+        std::swap(remove_, other.remove_);
         return *this;
     }
     ~GlObject()
@@ -30,11 +31,6 @@ public:
     operator GLuint() const { return id_; }
 
 private:
-    void swap(GlObject& other)
-    {
-        std::swap(id_, other.id_);
-        std::swap(remove_, other.remove_);
-    }
     GLuint id_ = 0;
     Remove remove_ = nullptr;
 };
@@ -59,11 +55,6 @@ inline GlObject make_framebuffer()
     return {glGenFramebuffers, glDeleteFramebuffers};
 }
 
-inline GlObject make_renderbuffer()
-{
-    return {glGenRenderbuffers, glDeleteRenderbuffers};
-}
-
 // Binds a texture to a unit of bindings.glsl, at which a shader's layout(binding = ...) finds it.
 inline void bind_texture(GLuint unit, GLenum target, GLuint texture)
 {
@@ -75,9 +66,8 @@ inline void bind_texture(GLuint unit, GLenum target, GLuint texture)
 // or has met any other error since it was last asked.
 void check_memory(const char* what, double bytes);
 
-// To be called with a framebuffer bound that is complete now: throws std::runtime_error if this
-// card cannot draw to what is attached.
+// The same of the framebuffer that is bound: throws if this card cannot draw to what is attached.
 void check_framebuffer(const char* what);
 
-// To be called after reading back: throws std::runtime_error if OpenGL has not delivered.
+// The same after reading back: throws if OpenGL has not delivered.
 void check_read_back(const char* what);

@@ -17,7 +17,7 @@ constexpr size_t lines_of_a_file = 100000;
 
 std::string line_directive(size_t file, size_t line)
 {
-    return "#line " + std::to_string(file * lines_of_a_file + line) + "\n";
+    return "#line " + std::to_string(file * lines_of_a_file + line);
 }
 
 // A shader's text with its includes in place, each file once, and the names of these files.
@@ -27,59 +27,40 @@ struct Source {
 
     void append(const std::string& name)
     {
+        if (std::find(files.begin(), files.end(), name) != files.end()) return;
         files.push_back(name);
         const size_t file = files.size();
+        if (file > 1) text += line_directive(file, 1) + "\n";  // the first line of all is #version
         std::istringstream lines(read_file(find_file(name)));
         std::string line;
         for (size_t number = 1; std::getline(lines, line); ++number) {
-            constexpr std::string_view include = "#include \"";
-            if (!line.starts_with(include)) {
-                text += line + "\n";
-                continue;
+            if (line.starts_with("#include \"")) {
+                append(line.substr(10, line.rfind('"') - 10));
+                line = line_directive(file, number + 1);
             }
-            const std::string included =
-                line.substr(include.size(), line.rfind('"') - include.size());
-            if (std::find(files.begin(), files.end(), included) == files.end()) {
-                text += line_directive(files.size() + 1, 1);
-                append(included);
-            }
-            text += line_directive(file, number + 1);
+            text += line + "\n";
         }
     }
 
     // The driver's log with each number of a line as the file's name and the line in it. Mesa
     // writes "0:100012(5): error: ...", NVIDIA "0(100012) : error ...", AMD "ERROR: 0:100012: ...".
-    std::string translate(const std::string& log) const
+    std::string translate(std::string log) const
     {
         static const std::regex position(R"(\d+[:(](\d{6,8})\)?)");
-        std::string result;
-        std::string::const_iterator rest = log.begin();
-        for (std::sregex_iterator found(rest, log.end(), position), end; found != end; ++found) {
-            const size_t number = std::stoul((*found)[1]);
-            result.append(rest, (*found)[0].first);
-            result += files.at(number / lines_of_a_file - 1) + ":" +
-                      std::to_string(number % lines_of_a_file);
-            rest = (*found)[0].second;
+        for (std::smatch found; std::regex_search(log, found, position);) {
+            const size_t number = std::stoul(found[1]);
+            log = found.prefix().str() + files.at(number / lines_of_a_file - 1) + ":" +
+                  std::to_string(number % lines_of_a_file) + found.suffix().str();
         }
-        return result.append(rest, log.end());
+        return log;
     }
 };
-
-// What the driver has written: call one of glGetShaderInfoLog and glGetProgramInfoLog.
-template <typename GetLog>
-std::string log_of(GetLog get_log, GLuint name)
-{
-    char log[10000] = {};
-    get_log(name, sizeof log, nullptr, log);
-    const std::string text = log;
-    return text.substr(0, text.find_last_not_of("\n") + 1);
-}
 
 GlObject compile(const Shader& shader, const std::string& defines, std::string& all_sources)
 {
     Source source;
     source.append(shader.file);
-    source.text.insert(source.text.find('\n') + 1, defines + line_directive(1, 2));
+    source.text.insert(source.text.find('\n') + 1, defines + line_directive(1, 2) + "\n");
     all_sources += source.text;
     GlObject id(glCreateShader(shader.type),
                 [](GLsizei, const GLuint* name) { glDeleteShader(*name); });
@@ -88,11 +69,11 @@ GlObject compile(const Shader& shader, const std::string& defines, std::string& 
     glCompileShader(id);
     GLint compiled = 0;
     glGetShaderiv(id, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) {
-        throw std::runtime_error("shader " + shader.file + " does not compile:\n" +
-                                 source.translate(log_of(glGetShaderInfoLog, id)));
-    }
-    return id;
+    if (compiled) return id;
+    char log[10000] = {};
+    glGetShaderInfoLog(id, sizeof log, nullptr, log);
+    throw std::runtime_error("shader " + shader.file + " does not compile:\n" +
+                             source.translate(log));
 }
 
 }  // namespace
@@ -113,8 +94,9 @@ Program::Program(const std::vector<Shader>& shaders, const std::vector<const cha
     GLint linked = 0;
     glGetProgramiv(id_, GL_LINK_STATUS, &linked);
     if (!linked) {  // so does a varying that no shader writes
-        throw std::runtime_error("shaders " + files_ + " do not link:\n" +
-                                 log_of(glGetProgramInfoLog, id_));
+        char log[10000] = {};
+        glGetProgramInfoLog(id_, sizeof log, nullptr, log);
+        throw std::runtime_error("shaders " + files_ + " do not link:\n" + log);
     }
     const GLuint block = glGetUniformBlockIndex(id_, "WeatherBlock");
     if (block == GL_INVALID_INDEX) return;
@@ -136,11 +118,4 @@ GLint Program::location(const char* name)
         std::cerr << files_ << " have no uniform named " << name << std::endl;
     }
     return locations_[name] = location;
-}
-
-void Program::set_texture(const char* name, GLuint unit, GLenum target, GLuint texture)
-{
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(target, texture);
-    set(name, int(unit));
 }

@@ -41,7 +41,11 @@ public:
     }
 
     // Binds a texture to a unit, of bindings.glsl, and tells the sampler of that name which it is.
-    void set_texture(const char* name, GLuint unit, GLenum target, GLuint texture);
+    void set_texture(const char* name, GLuint unit, GLenum target, GLuint texture)
+    {
+        bind_texture(unit, target, texture);
+        set(name, int(unit));
+    }
 
 private:
     GLint location(const char* name);

@@ -6,9 +6,12 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-class Terrain {
-public:
+struct Terrain {
+    static constexpr int squares = 128;  // along each edge
+
     float half_size = 1;  // m, from the middle to the edge; at least 1
+    // The height of each square, m: row by row along x, from the least z on.
+    std::vector<float> heights = std::vector<float>(squares * squares);
 
     // The square in which a position (x, z) lies, m, or the nearest.
     glm::ivec2 square(glm::vec2 position) const
@@ -23,7 +26,7 @@ public:
     }
     void raise(glm::ivec2 square, float height)
     {
-        float& known = heights_[size_t(square.y) * squares + size_t(square.x)];
+        float& known = heights[size_t(square.y * squares + square.x)];
         known = std::max(known, height);
     }
 
@@ -35,16 +38,8 @@ public:
         float best = 0;
         for (int z = first.y; z <= last.y; ++z) {
             for (int x = first.x; x <= last.x; ++x)
-                best = std::max(best, heights_[size_t(z) * squares + size_t(x)]);
+                best = std::max(best, heights[size_t(z * squares + x)]);
         }
         return best;
     }
-
-    static constexpr int squares = 128;  // along each edge
-
-    // The height of each square, m: row by row along x, from the least z on.
-    const std::vector<float>& heights() const { return heights_; }
-
-private:
-    std::vector<float> heights_ = std::vector<float>(squares * squares);
 };

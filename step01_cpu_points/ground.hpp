@@ -1,6 +1,4 @@
-// The ground of steps 1 to 4, a grid of squares 2 m wide at y = 0. Snow alone gives the eye no
-// frame of reference (Jorgensen's complaint): it cannot tell how fast flakes fall, nor how far off
-// they are.
+// The ground of steps 1 to 4, a grid of squares 2 m wide at y = 0: a frame of reference.
 #pragma once
 
 #include <GL/glew.h>

@@ -1,5 +1,5 @@
 // The variant "hexagons": same as main.cpp, but every flake is a crystal, twelve calls instead of
-// one, and its size is its own. New calls: glBegin(GL_LINES).
+// one, and its size is its own.
 
 #include <GL/glew.h>
 

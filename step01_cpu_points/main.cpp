@@ -1,7 +1,6 @@
 // Step 1: snow on the CPU. Every flake is a struct in an array; each frame a loop moves all of them
 // with Euler's method, and a second loop hands each one to OpenGL with a function call of its own.
-// Two clouds release two kinds of flake. New calls: glViewport, glClear, glLoadMatrixf, glBegin,
-// glVertex3fv, glEnd, glPointSize.
+// Two clouds release two kinds of flake.
 
 #include <GL/glew.h>
 

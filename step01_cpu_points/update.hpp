@@ -17,15 +17,13 @@ inline void update_plainly(std::span<Particle> flakes, uint tick, Weather weathe
         flakes[i] = advance(flakes[i], uint(i), tick, weather);
 }
 
-// ---- The same for eight flakes at once: 5 ns a flake, where the loop above takes 13. A compiler
-// vectorises a loop that has no branches in it. Births are rare (one flake in some 700 a step) and
-// branch, so they have a loop of their own, behind each block of flakes, which is still in the
-// cache. The weather is passed by value: behind a reference any write to a flake might change it,
-// for all the compiler knows.
+// ---- The same for eight flakes at once: 5 ns a flake, where the loop above takes 13. Births,
+// which are rare and branch, have a loop of their own, while the block is still in the cache. The
+// weather is passed by value: behind a reference any write to a flake might change it, for all the
+// compiler knows.
 
 constexpr size_t block = 64;
 
-// The block of `flakes` that begins at index `begin`.
 inline std::span<Particle> block_at(std::span<Particle> flakes, size_t begin)
 {
     return flakes.subspan(begin, min(block, flakes.size() - begin));

@@ -1,10 +1,7 @@
 // Step 2: same as step 1, but the flakes travel to the GPU in one piece: one upload into a vertex
-// buffer, one draw call for each size of point. The cost moves from 20,000 function calls to one
-// copy. New calls: glBindBuffer, glBufferData, glBufferSubData, glVertexPointer, glDrawArrays.
+// buffer, one draw call for each size of point.
 
 #include <GL/glew.h>
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include "common/gl_object.hpp"
 #include "common/window.hpp"

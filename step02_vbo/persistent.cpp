@@ -1,15 +1,12 @@
 // The variant "persistent": same as main.cpp, but the flakes are copied straight into memory that
-// the GPU reads, without a call. Nobody waits for us there any more, so we wait, at a fence. New
-// calls: glBufferStorage, glMapBufferRange, glFenceSync, glClientWaitSync.
+// the GPU reads, without a call. Nobody waits for us there any more, so we wait, at a fence.
 
 #include <GL/glew.h>
 
 #include <cstring>
-#include <glm/gtc/type_ptr.hpp>
 #include <stdexcept>
 
 #include "common/gl_object.hpp"
-#include "common/harness/driver.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
 #include "step01_cpu_points/groups.hpp"
@@ -21,7 +18,7 @@ void run_persistent(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    if (!has_extension("GL_ARB_buffer_storage")) {
+    if (!GLEW_ARB_buffer_storage) {
         throw std::runtime_error("--variant persistent needs OpenGL 4.4: try orphan");
     }
 

@@ -4,8 +4,6 @@
 
 #include <GL/glew.h>
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "common/gl_object.hpp"
 #include "common/window.hpp"
 #include "step01_cpu_points/ground.hpp"
@@ -21,41 +19,26 @@ struct Flakes {
     std::vector<vec3> positions, velocities;
     std::vector<float> ages, rests;
 
-    explicit Flakes(const std::vector<Particle>& flakes)
-        : positions(flakes.size()), velocities(flakes.size()), ages(flakes.size()),
-          rests(flakes.size())
-    {
-        scatter(flakes, 0);
-    }
+    explicit Flakes(size_t size) : positions(size), velocities(size), ages(size), rests(size) {}
 
-    // Writes these flakes to their indices, `first` and the next.
-    void scatter(std::span<const Particle> flakes, size_t first)
+    Particle gather(size_t i) const { return {positions[i], ages[i], velocities[i], rests[i]}; }
+    void scatter(size_t i, const Particle& flake)
     {
-        for (size_t i = 0; i < flakes.size(); ++i) {
-            positions[first + i] = flakes[i].position;
-            ages[first + i] = flakes[i].age;
-            velocities[first + i] = flakes[i].velocity;
-            rests[first + i] = flakes[i].rest;
-        }
-    }
-
-    // The flakes of that many indices, `first` and the next.
-    std::vector<Particle> gather(size_t first, size_t count) const
-    {
-        std::vector<Particle> flakes;
-        flakes.reserve(count);
-        for (size_t i = first; i < first + count; ++i)
-            flakes.push_back({positions[i], ages[i], velocities[i], rests[i]});
-        return flakes;
+        positions[i] = flake.position;
+        ages[i] = flake.age;
+        velocities[i] = flake.velocity;
+        rests[i] = flake.rest;
     }
 
     // The loop of update_in_one_loop; the physics wants each flake in one piece.
     void update(uint tick, const Weather& weather)
     {
+        Particle some[block];
         for (size_t begin = 0; begin < positions.size(); begin += block) {
-            std::vector<Particle> some = gather(begin, min(block, positions.size() - begin));
-            update_block(some, uint(begin), tick, weather);
-            scatter(some, begin);
+            const size_t count = min(block, positions.size() - begin);
+            for (size_t i = 0; i < count; ++i) some[i] = gather(begin + i);
+            update_block({some, count}, uint(begin), tick, weather);
+            for (size_t i = 0; i < count; ++i) scatter(begin + i, some[i]);
         }
     }
 };
@@ -67,10 +50,12 @@ void run_soa(Window& window)
     const Options& options = window.options();
     const Weather& weather = options.weather;
 
-    Flakes flakes(make_flakes(weather));
+    std::vector<Particle> flakes = make_flakes(weather);
+    Flakes arrays(flakes.size());
+    for (size_t i = 0; i < flakes.size(); ++i) arrays.scatter(i, flakes[i]);
     uint tick = 0;                                           // time steps made so far
     const std::vector<Group> groups = make_groups(options);  // flakes of one size
-    const GLsizeiptr bytes = GLsizeiptr(flakes.positions.size() * sizeof(vec3));
+    const GLsizeiptr bytes = GLsizeiptr(flakes.size() * sizeof(vec3));
     const GlObject buffer = make_buffer();
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
@@ -83,13 +68,13 @@ void run_soa(Window& window)
         draw_ground(window);
         {
             const auto stage = window.stage("update");
-            while (window.next_tick()) flakes.update(tick++, weather);
+            while (window.next_tick()) arrays.update(tick++, weather);
         }
         {
             const auto stage = window.stage("upload");
             glBindBuffer(GL_ARRAY_BUFFER, buffer);
             // The draw of the frame before may still be reading: the driver copies, or waits.
-            glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, flakes.positions.data());
+            glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, arrays.positions.data());
         }
         {
             const auto stage = window.stage("draw");
@@ -104,5 +89,6 @@ void run_soa(Window& window)
         }
         window.swap_buffers();
     }
-    window.dump(flakes.gather(0, flakes.positions.size()));
+    for (size_t i = 0; i < flakes.size(); ++i) flakes[i] = arrays.gather(i);
+    window.dump(flakes);
 }

@@ -1,8 +1,6 @@
 // Step 3: same as step 2, but shaders draw the flakes: a vertex shader makes each as large as it
 // looks from its distance, a fragment shader gives the square point its shape: a disc, or a crystal
-// from a picture. The cost of beauty is paid sprite by sprite, on the GPU. New calls: glUseProgram,
-// glUniform (in Program), glVertexAttribPointer, glBindBufferBase(GL_UNIFORM_BUFFER),
-// glEnable(GL_PROGRAM_POINT_SIZE), glBlendFunc, glBindTexture (in Program).
+// from a picture. The cost of beauty is paid sprite by sprite, on the GPU.
 
 #include <GL/glew.h>
 

@@ -1,7 +1,6 @@
 // The variant "compute": same as main.cpp, but a compute shader moves the flakes. It does not
 // belong to drawing and may write anywhere in a buffer, so it needs one buffer instead of two. But
-// OpenGL no longer keeps reads and writes of that buffer in order by itself: barriers do. New
-// calls: glBindBufferBase(GL_SHADER_STORAGE_BUFFER), glDispatchCompute, glMemoryBarrier.
+// OpenGL no longer keeps reads and writes of that buffer in order by itself: barriers do.
 
 #include <GL/glew.h>
 

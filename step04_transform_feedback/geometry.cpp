@@ -1,15 +1,12 @@
 // The variant "geometry": same as main.cpp, but the buffer holds only flakes that live, as
 // Pettersson and Jin have it: a geometry shader emits each flake that lives on; then those that are
-// born are appended. The GPU draws as many as it has written, without telling their number. New
-// calls: glGenTransformFeedbacks, glBindTransformFeedback, glDrawTransformFeedback,
-// glVertexAttribIPointer.
+// born are appended. The GPU draws as many as it has written, without telling their number.
 
 #include <GL/glew.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "common/harness/driver.hpp"
 #include "common/program.hpp"
 #include "common/uniform_block.hpp"
 #include "common/window.hpp"
@@ -27,11 +24,6 @@ struct LiveFlake {
 };
 static_assert(sizeof(LiveFlake) == 36, "as transform feedback writes it");
 
-GlObject make_transform_feedback()
-{
-    return {glGenTransformFeedbacks, glDeleteTransformFeedbacks};
-}
-
 // A flake that waits to be born, after that many time steps: added up as all updates do, with the
 // same rounding.
 Particle waited(Particle p, uint ticks, const Weather& weather)
@@ -46,7 +38,7 @@ void run_geometry(Window& window)
 {
     const Options& options = window.options();
     const Weather& weather = options.weather;
-    if (!has_extension("GL_ARB_transform_feedback2")) {
+    if (!GLEW_ARB_transform_feedback2) {
         throw std::runtime_error("--variant geometry needs OpenGL 4.0: try feedback");
     }
 
@@ -88,7 +80,7 @@ void run_geometry(Window& window)
     // Each knows its buffer, and how much was written there last: nothing yet.
     update.use();
     for (int i : {first, second}) {
-        feedbacks[i] = make_transform_feedback();
+        feedbacks[i] = GlObject(glGenTransformFeedbacks, glDeleteTransformFeedbacks);
         glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedbacks[i]);
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, FEEDBACK_BUFFER, buffers[i]);
         glBeginTransformFeedback(GL_POINTS);

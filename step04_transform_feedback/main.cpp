@@ -1,8 +1,6 @@
 // Step 4: same as step 3, but the update runs on the GPU as well: a vertex shader moves each flake,
 // and transform feedback writes the result to a second buffer; then the two change roles. After the
-// start no flake ever crosses the bus again, so the upload is gone. New calls:
-// glTransformFeedbackVaryings (in common/program.cpp), glBeginTransformFeedback,
-// glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER), glEnable(GL_RASTERIZER_DISCARD).
+// start no flake ever crosses the bus again, so the upload is gone.
 
 #include <GL/glew.h>
 

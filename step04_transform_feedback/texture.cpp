@@ -1,12 +1,9 @@
 // The variant "texture": same as main.cpp, but the flakes are pixels. Their state lies in textures
 // of floating-point numbers, and a fragment shader moves them while one triangle is drawn over all
 // of it, as GPUs did it before transform feedback (Introduction to Computer Graphics project sheet,
-// part 3: "the integration can be done in the fragment shader"). New calls: glFramebufferTexture2D,
-// glDrawBuffers, glCheckFramebufferStatus, glGetTexImage.
+// part 3: "the integration can be done in the fragment shader").
 
 #include <GL/glew.h>
-
-#include <stdexcept>
 
 #include "common/program.hpp"
 #include "common/uniform_block.hpp"
@@ -64,11 +61,7 @@ void run_texture(Window& window)
                                state.velocity_rest, 0);
         const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
         glDrawBuffers(2, both);
-        // Not every card can draw to two textures of this kind, or of this size.
-        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-            throw std::runtime_error(
-                "--variant texture: this card cannot draw to two RGBA32F textures: try feedback");
-        }
+        check_framebuffer("to two RGBA32F textures (try --variant feedback)");
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     int now = 0;           // the state that holds the flakes as they are

@@ -35,7 +35,7 @@ GlObject upload(const Material& material)
     check_memory("the pictures", 4.0 * picture.width * picture.height);
     if (renders_in_software()) {  // each texel that is read takes its time: half as many
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-    } else if (has_extension("GL_EXT_texture_filter_anisotropic")) {
+    } else if (GLEW_EXT_texture_filter_anisotropic) {
         // Seen at a flat angle, a pixel covers a long strip of the picture: its average.
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
     }

@@ -34,7 +34,7 @@ GlObject upload_terrain(const Terrain& terrain)
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, Terrain::squares, Terrain::squares, 0, GL_RED, GL_FLOAT,
-                 terrain.heights().data());
+                 terrain.heights.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);

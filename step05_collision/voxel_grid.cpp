@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/harness/progress.hpp"
 #include "step05_collision/triangle_box.hpp"
 
 namespace {
@@ -23,12 +22,9 @@ public:
     }
 
 private:
-    // triangles: those that touch the cube of `size` voxels at `corner`. done: the fraction of all
-    // space that has been divided before it; share: the cube's own.
-    void divide(ivec3 corner, int size, const std::vector<uint32_t>& triangles, double done = 0,
-                double share = 1)
+    // triangles: those that touch the cube of `size` voxels at `corner`.
+    void divide(ivec3 corner, int size, const std::vector<uint32_t>& triangles)
     {
-        if (size >= 8 && progress_.due()) progress_.report(done);
         if (triangles.empty()) return;
         if (size == 1) {
             const size_t row = size_t(corner.z) * size_t(grid_.resolution) + size_t(corner.y);
@@ -56,13 +52,12 @@ private:
                 inside.push_back(triangle);
                 if (half == 1) break;  // one is enough for a voxel
             }
-            divide(child_corner, half, inside, done + child * share / 8, share / 8);
+            divide(child_corner, half, inside);
         }
     }
 
     const Scene& scene_;
     VoxelGrid& grid_;
-    Progress progress_{"voxelising"};
 };
 
 }  // namespace

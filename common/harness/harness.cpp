@@ -1,6 +1,7 @@
 #include "common/harness/harness.hpp"
 
 #include <GL/glew.h>
+#include <GL/freeglut.h>
 
 #include <algorithm>
 #include <cctype>
@@ -28,18 +29,42 @@ static void on_interrupt(int signal)
     std::signal(signal, SIG_DFL);
 }
 
+static Harness* the_harness = nullptr;  // GLUT's callbacks are plain functions
+
 Harness::Harness(CommandLine line)
-    : Window(line.lesson.name, line.size, line.camera, line.debug), command_(std::move(line)),
-      show_panel_(!command_.reproducible())
+    : command_(std::move(line)), show_panel_(!command_.reproducible()), next_size_(command_.size),
+      touring_(command_.tour)
 {
-    touring_ = command_.tour;
-    load_opengl(command_.lesson, command_.debug);
-    vsync_ = set_vsync(command_.vsync);
-    if (vsync_ == nullptr)
+    the_harness = this;
+    camera_ = command_.camera;
+    open_window(command_);
+    if (!set_vsync(command_.vsync) && command_.vsync)
         throw std::runtime_error("--vsync: this driver cannot wait for the display");
-    take_close_button([this] { close(); });
+    panel_.emplace();
+
+    glutDisplayFunc([] {});  // required; the frames are drawn by begin_frame's caller
+    glutReshapeFunc([](int width, int height) {
+        the_harness->next_size_ = {std::max(width, 1), std::max(height, 1)};
+    });
+    glutIgnoreKeyRepeat(1);
+    glutKeyboardFunc([](unsigned char key, int x, int y) { the_harness->on_key(key, x, y); });
+    glutMouseFunc(
+        [](int button, int state, int x, int y) { the_harness->on_button(button, state, x, y); });
+    glutMotionFunc([](int x, int y) { the_harness->on_motion(x, y); });
+    glutPassiveMotionFunc([](int x, int y) { the_harness->on_motion(x, y); });
+    // freeglut destroys window and context after this. But in X11 a context that is current lives
+    // on until it no longer is (GLX 1.4, 3.3.7), so what was computed can still be read back, and
+    // objects deleted. Where it would not live on, the window is not closed before the end.
+    glutCloseFunc([] { the_harness->on_close(); });
+    take_close_button([this] { closing_ = true; });
     begin_run();
-    take_events();  // it is mapped, and may at once be of another size
+    glutMainLoopEvent();  // it is mapped, and may at once be of another size
+}
+
+Harness::~Harness()
+{
+    panel_.reset();  // while there is a context
+    glutExit();      // at once; glutDestroyWindow would only queue it for a main loop that is over
 }
 
 void Harness::begin_run()
@@ -53,32 +78,28 @@ void Harness::begin_run()
     std::printf("%s %s: %s, OpenGL %s, %u flakes of %.*f MiB, %dx%d, vsync %s\n",
                 command_.lesson.name.c_str(), command_.variant.c_str(), renderer_name().c_str(),
                 reinterpret_cast<const char*>(glGetString(GL_VERSION)), command_.weather.particles,
-                mebibytes < 10 ? 1 : 0, mebibytes, command_.size.x, command_.size.y, vsync_);
+                mebibytes < 10 ? 1 : 0, mebibytes, command_.size.x, command_.size.y,
+                command_.vsync ? "on" : "off");
     if (renders_in_software()) {
         std::puts("warning: OpenGL runs in software here: times say nothing about a graphics card");
-        leave_off_what_is_costly();
+        std::string names;
+        for (const snow::Parameter& parameter : command_.parameters()) {
+            // Once: a user who turns it on later has decided, too.
+            if (!parameter.costly || !command_.decided.insert(parameter.name).second) continue;
+            parameter.set(0);
+            names += std::string(names.empty() ? " " : ", ") + parameter.name;
+        }
+        if (!names.empty())
+            std::printf("left off in software, unless --set NAME=1:%s\n", names.c_str());
     }
     std::fflush(stdout);
 }
 
 bool Harness::restarted()
 {
-    if (is_closing() || !controls_.restart) return false;
+    if (closing_ || !controls_.restart) return false;
     begin_run();
     return true;
-}
-
-void Harness::leave_off_what_is_costly()
-{
-    std::string names;
-    for (const snow::Parameter& parameter : command_.parameters()) {
-        // Once: a user who turns it on later has decided, too.
-        if (!parameter.costly || !command_.decided.insert(parameter.name).second) continue;
-        parameter.set(0);
-        names += std::string(names.empty() ? "" : ", ") + parameter.name;
-    }
-    if (!names.empty())
-        std::printf("left off in software, unless --set NAME=1: %s\n", names.c_str());
 }
 
 bool Harness::enough() const
@@ -86,9 +107,9 @@ bool Harness::enough() const
     return command_.frames && drawn_ >= uint64_t(*command_.frames) + command_.warmup;
 }
 
-bool Harness::frame_begins()
+bool Harness::begin_frame()
 {
-    if (is_closing() || failed_ || enough() || controls_.restart) {
+    if (closing_ || failed_ || enough() || controls_.restart) {
         report();
         return false;
     }
@@ -101,6 +122,7 @@ bool Harness::frame_begins()
     }
     frame_seconds_ = std::chrono::duration<double>(now - last_frame_).count() / stands_for_;
     last_frame_ = last_events_ = now;
+    size_ = next_size_;
     command_.weather.world_max += std::exchange(raise_world_by_, 0.0f);
     pace();
     move_camera();
@@ -166,53 +188,47 @@ bool Harness::next_tick()
     const Clock::time_point now = Clock::now();
     if (now - last_events_ >= milliseconds(100)) {
         last_events_ = now;
-        take_events();
-        if (interrupted) close();
+        glutMainLoopEvent();
+        if (interrupted) closing_ = true;
     }
     const bool late = !command_.reproducible() && now - last_frame_ > milliseconds(50);
-    if (is_closing() || (late && ticks_ > 0)) return false;
+    if (closing_ || (late && ticks_ > 0)) return false;
     ++ticks_;
     return true;
 }
 
-void Harness::save_frame()
+void Harness::swap_buffers()
 {
-    if (interrupted) close();
-    const bool last = is_closing() || enough();
-    const bool asked = std::exchange(controls_.save_picture, false);
-    const bool counts = drawn_ > command_.warmup;
-    std::vector<std::filesystem::path> paths;
-    if (last && !command_.screenshot.empty()) paths.push_back(command_.screenshot);
-    if (counts && !command_.record.empty()) {
-        char name[32];
-        std::snprintf(name, sizeof name, "%06llu.png",
-                      static_cast<unsigned long long>(drawn_ - command_.warmup));
-        paths.push_back(command_.record / name);
+    drawn_now_ = true;
+    glutMainLoopEvent();
+    drawn_now_ = false;
+    if (gone_) return;  // and with it what was drawn
+    save_frame();
+    if (show_panel_) {
+        const Stage panel = stage("panel");
+        panel_->draw(size(), command_, controls_, timer_.frames(), renderer_name());
     }
-    if (paths.empty() && !asked) return;
-    attempt([&] {
-        const std::string png = png_of_back_buffer(size());
-        for (const std::filesystem::path& path : paths) write_file(path, png);
-        // Where this one cannot be written it is no reason to end the run and lose its results.
-        if (asked) attempt([&] { write_file(command_.lesson.name + ".png", png); }, false);
-    });
-}
-
-void Harness::draw_panel()
-{
-    if (!show_panel_) return;
-    const Stage stage(*this, "panel");
-    if (panel_ == nullptr) panel_ = std::make_unique<Panel>();
-    panel_->draw(size(), command_, controls_, timer_.frames(), renderer_name());
-}
-
-void Harness::frame_is_shown()
-{
+    glutSwapBuffers();
     const Clock::time_point now = Clock::now();
     timer_.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count(),
                      measuring() ? SIZE_MAX : 300);
     last_swap_ = now;
     if (!command_.reproducible()) show_frame_time();
+}
+
+void Harness::save_frame()
+{
+    if (interrupted) closing_ = true;
+    const auto save = [this](const std::filesystem::path& path, bool matters = true) {
+        attempt([&] { write_file(path, png_of_back_buffer(size_)); }, matters);
+    };
+    if ((closing_ || enough()) && !command_.screenshot.empty()) save(command_.screenshot);
+    if (drawn_ > command_.warmup && !command_.record.empty()) {
+        const std::string number = std::to_string(1'000'000 + drawn_ - command_.warmup);
+        save(command_.record / (number.substr(1) + ".png"));
+    }
+    // Where this one cannot be written it is no reason to end the run and lose its results.
+    if (std::exchange(controls_.save_picture, false)) save(command_.lesson.name + ".png", false);
 }
 
 void Harness::show_frame_time()
@@ -236,16 +252,10 @@ void Harness::report()
     timer_.finish();
     if (command_.benchmark) {
         print_summary(timer_.frames());
-        const uint64_t asked = uint64_t(*command_.frames) + command_.warmup;
-        if (drawn_ < asked) {
-            std::cout << "benchmark: cut short after " << drawn_ << " of " << asked
-                      << " frames, warm-up included" << std::endl;
-        }
+        if (!enough()) std::puts("benchmark: cut short");
     }
-    if (command_.csv.empty()) return;
-    attempt([&] {
-        write_file(command_.csv, csv_of(timer_.frames(), command_, size(), renderer_name()));
-    });
+    const std::string csv = csv_of(timer_.frames(), command_, size(), renderer_name());
+    if (!command_.csv.empty()) attempt([&] { write_file(command_.csv, csv); });
 }
 
 void Harness::stand_on(const Terrain& terrain)
@@ -270,55 +280,59 @@ try {
     failed_ |= matters;
 }
 
-void Harness::press_key(unsigned char key, int x, int y)
+void Harness::on_close()
 {
-    constexpr unsigned char escape = 27;
-    if (show_panel_ && panel_ != nullptr && panel_->press_key(key, x, y)) return;
-    switch (std::tolower(key)) {
-    case escape:
-        close();
-        break;
-    case 'c':
+    closing_ = gone_ = true;
+    if (drawn_now_) save_frame();
+}
+
+void Harness::on_key(unsigned char key, int x, int y)
+{
+    constexpr int escape = 27;
+    if (show_panel_ && panel_->press_key(key, x, y)) return;
+    const int letter = std::tolower(key);
+    if (letter == escape) closing_ = true;
+    if (letter == 'c') {
         camera_ = command_.camera;
         touring_ = false;
-        break;
-    case 'h':
+    }
+    if (letter == 'h') {
         show_panel_ = !show_panel_;
-        if (panel_ != nullptr) panel_->let_go();
-        break;
-    case ' ':
-        controls_.paused = !controls_.paused;
-        break;
-    case 'r':
-        controls_.restart = true;
-        break;
-    case 's':
-        controls_.save_picture = true;
-        break;
-    case 't':
-        touring_ = !touring_;
-        break;
-    default:
-        for (const snow::Parameter& parameter : command_.parameters()) {
-            if (parameter.key != 0 && std::toupper(key) == parameter.key)
-                parameter.set(1 - parameter.get());
-        }
+        panel_->let_go();
+    }
+    if (letter == ' ') controls_.paused = !controls_.paused;
+    if (letter == 'r') controls_.restart = true;
+    if (letter == 's') controls_.save_picture = true;
+    if (letter == 't') touring_ = !touring_;
+    for (const snow::Parameter& parameter : command_.parameters()) {
+        if (parameter.key != 0 && std::toupper(key) == parameter.key)
+            parameter.set(1 - parameter.get());
     }
 }
 
-bool Harness::press_button(int button, int state, int x, int y)
+void Harness::on_button(int button, int state, int x, int y)
 {
-    return show_panel_ && panel_ != nullptr && panel_->press_button(button, state, x, y);
+    mouse_ = {x, y};
+    dragging_ = false;
+    if (show_panel_ && panel_->press_button(button, state, x, y)) return;
+    if (state != GLUT_DOWN) return;
+    camera_.zoom(float(wheel_notches(button)));
+    dragging_ = button == GLUT_LEFT_BUTTON;
 }
 
-void Harness::move_mouse(int x, int y)
+void Harness::on_motion(int x, int y)
 {
-    if (panel_ != nullptr) panel_->move_mouse(x, y);
+    panel_->move_mouse(x, y);
+    const glm::ivec2 mouse(x, y);
+    if (dragging_) {
+        touring_ = false;
+        camera_.orbit(glm::vec2(mouse - mouse_));
+    }
+    mouse_ = mouse;
 }
 
 int run_lesson(int argc, char** argv, const Lesson& lesson)
 try {
-    report_glut_errors();
     Harness window(parse_command_line(argc, argv, lesson));
     do window.options().chosen().run(window);
     while (window.restarted());

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -19,11 +18,12 @@ public:
     // Opens the window and says in one line what runs where. Throws std::runtime_error if this
     // OpenGL is not enough for the lesson.
     explicit Harness(CommandLine line);
+    ~Harness() override;
 
+    bool begin_frame() override;
+    void swap_buffers() override;
     bool restarted() override;
     bool next_tick() override;
-    int ticks() const override { return ticks_; }
-    double frame_seconds() const override { return frame_seconds_; }
     const CommandLine& options() const override { return command_; }
     void stand_on(const Terrain& terrain) override;
     void note(const std::string& line) override { controls_.note = line; }
@@ -35,42 +35,44 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    bool frame_begins() override;
     void begin_stage(const char* name) override { timer_.begin_stage(name); }
     void end_stage() override { timer_.end_stage(); }
-    void save_frame() override;
-    void draw_panel() override;
-    void frame_is_shown() override;
-    void press_key(unsigned char key, int x, int y) override;
-    bool press_button(int button, int state, int x, int y) override;
-    void move_mouse(int x, int y) override;
 
     bool measuring() const { return command_.benchmark || !command_.csv.empty(); }
     bool enough() const;
     void begin_run();
-    void leave_off_what_is_costly();
     void pace();
     void move_camera();
+    void save_frame();
     void show_frame_time();
     void report();
     void attempt(const std::function<void()>& action, bool matters = true);
 
+    void on_close();
+    void on_key(unsigned char key, int x, int y);
+    void on_button(int button, int state, int x, int y);
+    void on_motion(int x, int y);
+
     CommandLine command_;
     Controls controls_;
     FrameTimer timer_;
-    std::unique_ptr<Panel> panel_;
+    std::optional<Panel> panel_;
     bool show_panel_;
-    const char* vsync_ = "";
     bool failed_ = false;
+    bool closing_ = false, gone_ = false;  // the window is to be closed; it is closed
+    bool drawn_now_ = false;               // a frame waits to be shown
+    glm::ivec2 next_size_, mouse_{};
+    bool dragging_ = false;
+
+    bool touring_;                    // the camera flies, until the user takes it
+    double tour_seconds_ = 0;         // since it began
     std::optional<Terrain> terrain_;  // of a scene in its own metres
     float raise_world_by_ = 0;        // m, in the next frame
-    double tour_seconds_ = 0;         // since it began
 
-    uint64_t drawn_ = 0;        // frames, warm-up included, and those that another stood for
-    unsigned stands_for_ = 1;   // frames, the one that is open or the last
-    int due_ = 0, ticks_ = 0;   // time steps that it is to make, and has made
-    double owed_seconds_ = 0;   // of physics that the clock is ahead
-    double frame_seconds_ = 0;  // since the frame before
+    uint64_t drawn_ = 0;       // frames, warm-up included, and those that another stood for
+    unsigned stands_for_ = 1;  // frames, the one that is open or the last
+    int due_ = 0;              // time steps that it is to make
+    double owed_seconds_ = 0;  // of physics that the clock is ahead
     Clock::time_point last_frame_, last_swap_, last_events_, last_title_;
     uint64_t drawn_at_last_title_ = 0;
 };

@@ -12,17 +12,11 @@
 
 namespace {
 
-// The scenes that have names.
-struct BuiltInScene {
-    std::string name, file;
-    bool is_landscape;          // as with --metres and --follow
-    std::vector<float> camera;  // azimuth, elevation, distance; empty: the default
-    float snowfall;             // times that of the weather
-};
-const BuiltInScene built_in_scenes[] = {
-    {"courtyard", "common/assets/courtyard.obj", false, {}, 1},
-    // Seen from the mouth of their valley, through air with less snow in it than elsewhere.
-    {"mountains", "common/assets/mountains.obj", true, {75, 9, 48}, 0.4f}};
+// NaN is not.
+bool is_within(float value, float least, float most)
+{
+    return value >= least && value <= most;
+}
 
 std::string parameters_help(CommandLine command)
 {
@@ -40,16 +34,15 @@ std::string parameters_help(CommandLine command)
 // Changes the one parameter that `setting`, "name=value", names. Throws CLI::ValidationError.
 void apply_setting(const std::string& setting, CommandLine& command)
 {
-    const size_t equals = std::min(setting.find('='), setting.size() - 1);
-    const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
+    const std::string name = setting.substr(0, setting.find('='));
+    const char* const text = setting.c_str() + std::min(name.size() + 1, setting.size());
     for (const snow::Parameter& parameter : command.parameters()) {
         if (name != parameter.name) continue;
         char* end = nullptr;
-        const float value = std::strtof(text.c_str(), &end);
-        // Written this way round, the comparison turns NaN away too.
-        const bool fits = value >= parameter.minimum && value <= parameter.maximum &&
-                          (!parameter.is_switch() || value == 0 || value == 1);
-        if (text.empty() || *end != '\0' || !fits) {
+        const float value = std::strtof(text, &end);
+        if (end == text || *end != '\0' ||
+            !is_within(value, parameter.minimum, parameter.maximum) ||
+            (parameter.is_switch() && value != 0 && value != 1)) {
             std::ostringstream range;
             range << name << " takes " << parameter.minimum << " to " << parameter.maximum << " "
                   << parameter.unit << ", not '" << setting << "'";
@@ -62,47 +55,32 @@ void apply_setting(const std::string& setting, CommandLine& command)
     throw CLI::ValidationError("--set", "no parameter is called '" + name + "', see --help");
 }
 
-// A film in a folder that has an old one would be mixed up with it.
-void check_record_folder(const std::filesystem::path& folder)
-{
-    std::error_code error;  // is shown by what follows
-    std::filesystem::create_directories(folder, error);
-    if (std::filesystem::exists(folder / "000001.png")) {
-        throw std::runtime_error("cannot record into " + folder.string() +
-                                 ": it holds a film already (name a new folder)");
-    }
-    check_writable(folder / "000001.png");
-}
-
 // numbers: azimuth and elevation in degrees, and distance in m, within what the mouse can do.
 void place_camera(const std::vector<float>& numbers, Camera& camera)
 {
-    const float azimuth = numbers[0], elevation = numbers[1], distance = numbers[2];
-    // Written this way round, the comparison turns NaN away too.
-    if (!(std::abs(azimuth) <= 360 && elevation >= -2 && elevation <= 85 && distance >= 0.5f &&
-          distance <= 80)) {
+    if (!is_within(numbers[0], -360, 360) || !is_within(numbers[1], -2, 85) ||
+        !is_within(numbers[2], 0.5f, 80)) {
         throw CLI::ValidationError("--camera", "takes -360 to 360 degrees, -2 to 85 degrees and "
                                                "0.5 to 80 m");
     }
-    camera.azimuth = glm::radians(azimuth);
-    camera.elevation = glm::radians(elevation);
-    camera.distance = distance;
+    camera.azimuth = glm::radians(numbers[0]);
+    camera.elevation = glm::radians(numbers[1]);
+    camera.distance = numbers[2];
 }
 
 // The scene of that name, or the file. What it is entered with is set in `command`; `camera` stays
 // as it is if the user has placed it.
 void enter_scene(const std::string& name, CommandLine& command, std::vector<float>& camera)
 {
-    for (const BuiltInScene& scene : built_in_scenes) {
-        if (scene.name != name) continue;
-        command.scene = find_file(scene.file);
-        command.metres |= scene.is_landscape;
-        if (scene.is_landscape) command.weather.follow = 1;
-        if (camera.empty()) camera = scene.camera;
-        command.weather.snowfall *= scene.snowfall;
-        return;
-    }
     command.scene = path_of(name);
+    if (name == "courtyard" || name == "mountains")
+        command.scene = find_file("common/assets/" + name + ".obj");
+    if (name == "mountains") {
+        command.metres = true;
+        command.weather.follow = 1;
+        command.weather.snowfall *= 0.4f;
+        if (camera.empty()) camera = {75, 9, 48};  // in the mouth of their valley
+    }
     if (name == "none" || std::filesystem::exists(command.scene)) return;
     throw std::runtime_error("cannot read " + name + ": no such file, nor one of the scenes " +
                              "courtyard, mountains and none");
@@ -143,7 +121,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     std::vector<std::string> variants;
     for (const Variant& variant : lesson.variants) variants.push_back(variant.name);
     unsigned particles = 20000, seed = 1;
-    std::string preset = "snow", scene = "courtyard", up = "y";
+    std::string preset = "snow", scene = "courtyard";
     std::vector<int> size = {command.size.x, command.size.y};
     std::vector<float> camera;
     std::vector<std::string> settings;
@@ -169,7 +147,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
                        "--follow, and less snow, or nobody would see them (courtyard)");
         add_path("--collision", command.collision,
                  "OBJ file to land on instead, in the scene's coordinates (the scene)");
-        app.add_option("--up", up, "axis that points up in those files (y)")
+        app.add_option("--up", command.up, "axis that points up in those files (y)")
             ->check(CLI::IsMember({"y", "z"}));
         app.add_flag("--follow", follow,
                      "keep the clouds above the camera, 40 m of them with --metres (they stay)");
@@ -227,25 +205,23 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     app.add_flag("--debug", command.debug, "OpenGL debug context, messages to stderr");
 
     // No option takes nothing: an unset variable in a script is a mistake, not a wish.
+    const CLI::Validator not_empty(
+        [](const std::string& text) { return text.empty() ? "must not be empty" : ""; }, "");
     for (CLI::Option* option : app.get_options()) {
-        if (option->get_items_expected_max() == 0) continue;
-        option->check(
-            [](const std::string& text) { return text.empty() ? "must not be empty" : ""; }, "");
+        if (option->get_items_expected_max() > 0) option->check(not_empty);
     }
     try {
         app.parse(argc, argv);
-        // Written this way round, the comparison turns NaN away too.
-        if (!(command.point_size >= 0.1f && command.point_size <= 64))
+        if (!is_within(command.point_size, 0.1f, 64))
             throw CLI::ValidationError("--point-size", "takes 0.1 to 64 pixels");
         command.size = {size[0], size[1]};
-        command.up = up.front();
         command.weather = snow::make_weather(preset, particles, seed);
         if (follow) command.weather.follow = 1;
         if (lesson.has_scene) enter_scene(scene, command, camera);
         if (!camera.empty()) place_camera(camera, command.camera);
-        for (snow::Emitter& cloud : command.weather.emitters) {
+        if (command.metres && command.weather.follow != 0) {
             // In a landscape one sees the end of the snow under clouds as wide as the courtyard.
-            if (command.metres && command.weather.follow != 0)
+            for (snow::Emitter& cloud : command.weather.emitters)
                 cloud.half_size.x = cloud.half_size.z = 20;
         }
         for (const std::string& setting : settings) apply_setting(setting, command);
@@ -261,7 +237,11 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     for (const auto& output : {command.screenshot, command.dump, command.dump_cover, command.csv}) {
         if (!output.empty()) check_writable(output);
     }
-    if (!command.record.empty()) check_record_folder(command.record);
+    if (!command.record.empty()) {
+        std::error_code error;  // is shown by what follows
+        std::filesystem::create_directories(command.record, error);
+        check_writable(command.record / "000001.png");
+    }
     if (command.benchmark && app.count("--warmup") == 0) command.warmup = 960;
     // Outputs that are written after the last frame need one.
     if (!command.frames && (command.reproducible() || command.benchmark)) command.frames = 300;

@@ -35,16 +35,10 @@ void check_writable(const fs::path& path)
 
 void write_file(const fs::path& path, std::string_view bytes)
 {
-    const bool in_place = fs::exists(path) && (fs::is_symlink(path) || !fs::is_regular_file(path));
-    const fs::path written = in_place ? path : fs::path(path) += ".part";
-    std::ofstream file(written, std::ios::binary);
+    std::ofstream file(path, std::ios::binary);
     file.write(bytes.data(), std::streamsize(bytes.size()));
     file.close();
-    std::error_code error;
-    if (file && !in_place) fs::rename(written, path, error);
-    if (file && !error) return;
-    if (!in_place) fs::remove(written, error);
-    cannot_write(path);
+    if (!file) cannot_write(path);
 }
 
 std::string png_of_back_buffer(glm::ivec2 size)
@@ -55,12 +49,11 @@ std::string png_of_back_buffer(glm::ivec2 size)
     glReadPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
     check_read_back("the picture");
     std::string png;
+    const auto append = [](void* to, void* bytes, int count) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), size_t(count));
+    };
     stbi_flip_vertically_on_write(1);  // OpenGL's first row is the lowest
-    stbi_write_png_to_func(
-        [](void* out, void* data, int count) {
-            static_cast<std::string*>(out)->append(static_cast<const char*>(data), size_t(count));
-        },
-        &png, size.x, size.y, 3, pixels.data(), 3 * size.x);
+    stbi_write_png_to_func(append, &png, size.x, size.y, 3, pixels.data(), 3 * size.x);
     return png;
 }
 

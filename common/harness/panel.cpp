@@ -9,30 +9,13 @@
 #include <imgui_impl_glut.h>
 #include <imgui_impl_opengl2.h>
 
-#include "common/harness/driver.hpp"
-
 namespace {
-
-// Free memory of the graphics card, MiB; 0 where the driver does not tell.
-int free_video_memory()
-{
-    GLint kibibytes[4] = {};
-    if (GLEW_NVX_gpu_memory_info) {
-        glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes);
-    } else if (GLEW_ATI_meminfo) {
-        glGetIntegerv(GL_VBO_FREE_MEMORY_ATI, kibibytes);
-    }
-    return kibibytes[0] / 1024;
-}
 
 void draw_times(const std::deque<FrameTime>& frames)
 {
     std::vector<double> times;
-    std::vector<float> plot;
-    for (const FrameTime& frame : frames) {
-        times.push_back(frame.frame_ms);
-        plot.push_back(float(frame.frame_ms));
-    }
+    for (const FrameTime& frame : frames) times.push_back(frame.frame_ms);
+    const std::vector<float> plot(times.begin(), times.end());
     const double median = quantile(times, 0.5), p95 = quantile(times, 0.95);
     ImGui::Text("%.2f ms a frame (%.0f fps), p95 %.2f ms", median, 1000 / std::max(median, 1e-3),
                 p95);
@@ -41,14 +24,8 @@ void draw_times(const std::deque<FrameTime>& frames)
                      ImVec2(ImGui::GetContentRegionAvail().x, 4 * ImGui::GetFontSize()));
     if (frames.empty()) return;
     const size_t behind = std::min<size_t>(frames.size(), 8);  // its GPU times have arrived by now
-    for (const StageTime& stage : frames[frames.size() - behind].stages) {
-        const double gpu = stage.gpu_ms.value_or(0);
-        char label[64];
-        std::snprintf(label, sizeof label, "%s  cpu %.2f  gpu %.2f ms", stage.name.c_str(),
-                      stage.cpu_ms, gpu);
-        ImGui::ProgressBar(float(std::max(stage.cpu_ms, gpu) / std::max(median, 1e-3)),
-                           ImVec2(-1, 0), label);
-    }
+    for (const auto& [name, cpu_ms, gpu_ms, queries] : frames[frames.size() - behind].stages)
+        ImGui::Text("%-10s cpu %6.2f  gpu %6.2f ms", name.c_str(), cpu_ms, gpu_ms.value_or(0));
 }
 
 // A slider, or a check box for a switch.
@@ -73,13 +50,11 @@ void draw_parameter(const snow::Parameter& parameter)
 void draw_parameters(const std::vector<snow::Parameter>& parameters)
 {
     std::vector<std::string_view> headings;  // in the order in which they first come
-    float longest = 0;                       // of the labels, pixels
     for (const snow::Parameter& parameter : parameters) {
-        longest = std::max(longest, ImGui::CalcTextSize(parameter.label).x);
         if (std::find(headings.begin(), headings.end(), parameter.heading) == headings.end())
             headings.push_back(parameter.heading);
     }
-    ImGui::PushItemWidth(-longest - ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::PushItemWidth(0.5f * ImGui::GetWindowWidth());
     for (const std::string_view heading : headings) {
         if (!heading.empty() && !ImGui::CollapsingHeader(heading.data())) continue;
         for (const snow::Parameter& parameter : parameters) {
@@ -149,11 +124,6 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     ImGui::Begin(command.lesson.name.c_str(), nullptr, ImGuiWindowFlags_NoResize);
     ImGui::TextWrapped("%s", renderer.c_str());
     draw_times(frames);
-    ImGui::Text("memory %.0f MiB", process_memory());
-    if (const int free = free_video_memory()) {
-        ImGui::SameLine();
-        ImGui::Text("video memory free %d MiB", free);
-    }
     if (!controls.note.empty()) ImGui::TextUnformatted(controls.note.c_str());
 
     ImGui::Separator();
@@ -182,9 +152,7 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     controls.single_step |= ImGui::Button("single step");
     ImGui::SameLine();
     controls.restart |= ImGui::Button("restart");
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", keys_help(parameters).c_str());
-    ImGui::PopStyleColor();
     ImGui::End();
 }
 
@@ -196,12 +164,11 @@ bool Panel::press_key(unsigned char key, int x, int y)
 
 bool Panel::press_button(int button, int state, int x, int y)
 {
-    constexpr int wheel_up = 3, wheel_down = 4;  // as freeglut passes them on
-    if (button == wheel_up || button == wheel_down) {
-        if (state == GLUT_DOWN) ImGui_ImplGLUT_MouseWheelFunc(0, button == wheel_up ? 1 : -1, x, y);
-    } else {
+    const int notches = wheel_notches(button);
+    if (notches == 0)
         ImGui_ImplGLUT_MouseFunc(button, state, x, y);
-    }
+    else if (state == GLUT_DOWN)
+        ImGui_ImplGLUT_MouseWheelFunc(0, notches, x, y);
 #if IMGUI_VERSION_NUM < 18700  // from then on its GLUT backend sees to this
     ImGui::GetIO().KeyCtrl = (glutGetModifiers() & GLUT_ACTIVE_CTRL) != 0;
 #endif

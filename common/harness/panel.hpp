@@ -16,6 +16,12 @@ struct Controls {
     std::string note;           // the step's own line, for the panel
 };
 
+// How far the wheel was turned: X11 has buttons for that, which freeglut passes on.
+inline int wheel_notches(int button)
+{
+    return button == 3 ? 1 : button == 4 ? -1 : 0;
+}
+
 class Panel {
 public:
     Panel();

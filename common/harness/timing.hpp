@@ -5,7 +5,6 @@
 #include <GL/glew.h>
 
 #include <chrono>
-#include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@ struct StageTime {
     std::string name;
     double cpu_ms = 0;             // from the first call of the stage to the return of its last
     std::optional<double> gpu_ms;  // what the GPU took for it; empty: not known (yet)
+    GLuint queries[2] = {};        // timestamps at its begin and its end, until they have arrived
 };
 
 struct FrameTime {
@@ -32,8 +32,7 @@ public:
     void begin_frame(bool synchronised);
     void end_frame(double frame_ms, size_t keep);  // and forgets all but the last of them
 
-    // Times a stage of the open frame; does nothing if none is open. Stages do not nest:
-    // begin_stage throws std::logic_error if another is still running.
+    // Times a stage of the open frame; does nothing if none is open. Stages do not nest.
     void begin_stage(const char* name);
     void end_stage();
 
@@ -44,17 +43,12 @@ public:
     const std::deque<FrameTime>& frames() const { return frames_; }
 
 private:
-    struct Pending {  // a stage whose two timestamps have not arrived yet
-        size_t frame, stage;
-        GLuint queries[2];  // at its begin and its end
-    };
     void collect(bool wait);
 
     std::deque<FrameTime> frames_;
-    size_t forgotten_ = 0;  // frames before the first of frames_
-    bool open_ = false, running_ = false;
-    std::chrono::steady_clock::time_point stage_begin_;  // of the one that is running
-    std::deque<Pending> pending_;
+    size_t collected_ = 0;  // of them, from the first on: their timestamps have arrived
+    bool open_ = false;
+    std::chrono::steady_clock::time_point stage_begin_;
 };
 
 // The value below which `fraction` (0 to 1) of the values lie; 0 if there are none.

@@ -4,15 +4,11 @@
 #ifdef _WIN32
 #include <GL/freeglut.h>
 #include <GL/wglew.h>
-#define PSAPI_VERSION 2  // GetProcessMemoryInfo is in a library that every program has
-#include <psapi.h>
 
-namespace {
+static std::function<void()> ask_for_the_end;
+static WNDPROC freeglut_procedure = nullptr;
 
-std::function<void()> ask_for_the_end;
-WNDPROC freeglut_procedure = nullptr;
-
-LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first, LPARAM second)
+static LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first, LPARAM second)
 {
     if (message != WM_CLOSE)
         return CallWindowProc(freeglut_procedure, window, message, first, second);
@@ -20,13 +16,9 @@ LRESULT CALLBACK window_procedure(HWND window, UINT message, WPARAM first, LPARA
     return 0;
 }
 
-}  // namespace
-
-const char* set_vsync(bool wait)
+bool set_vsync(bool wait)
 {
-    if (!WGLEW_EXT_swap_control) return wait ? nullptr : "off (not reported)";
-    wglSwapIntervalEXT(wait ? 1 : 0);
-    return wait ? "on" : "off";
+    return WGLEW_EXT_swap_control && wglSwapIntervalEXT(wait ? 1 : 0);
 }
 
 void set_title(const char* title)
@@ -43,26 +35,17 @@ void take_close_button(const std::function<void()>& ask)
                                                    reinterpret_cast<LONG_PTR>(window_procedure)));
 }
 
-double process_memory()
-{
-    PROCESS_MEMORY_COUNTERS counters{};
-    GetProcessMemoryInfo(GetCurrentProcess(), &counters, sizeof counters);
-    return double(counters.WorkingSetSize) / (1 << 20);
-}
-
 #else
 #include <GL/glxew.h>  // in a file of its own: X11 has a type called Window, too
 #include <X11/Xatom.h>
-#include <unistd.h>
 
 #include <cstring>
-#include <fstream>
 
-const char* set_vsync(bool wait)
+bool set_vsync(bool wait)
 {
-    if (!GLXEW_EXT_swap_control) return wait ? nullptr : "off (not reported)";
+    if (!GLXEW_EXT_swap_control) return false;
     glXSwapIntervalEXT(glXGetCurrentDisplay(), glXGetCurrentDrawable(), wait ? 1 : 0);
-    return wait ? "on" : "off";
+    return true;
 }
 
 // Not by glutSetWindowTitle: that of freeglut 3.8 ends the program (BadAtom in XDeleteProperty)
@@ -79,12 +62,5 @@ void set_title(const char* title)
 }
 
 void take_close_button(const std::function<void()>&) {}
-
-double process_memory()
-{
-    long pages = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> pages >> resident;
-    return double(resident) * double(sysconf(_SC_PAGESIZE)) / (1 << 20);
-}
 
 #endif

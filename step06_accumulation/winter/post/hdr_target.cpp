@@ -26,7 +26,7 @@ void HdrTarget::resolve() const
 // To the framebuffer that is bound.
 void HdrTarget::add_renderbuffer(GLenum attachment, GLenum format, int samples, GlObject& buffer)
 {
-    buffer = make_renderbuffer();
+    buffer = GlObject(glGenRenderbuffers, glDeleteRenderbuffers);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size_.x, size_.y);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);

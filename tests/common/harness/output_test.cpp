@@ -60,18 +60,10 @@ TEST_F(Files, AreReadAndWrittenWhole)
     write_file(folder / "out", bytes);
     EXPECT_EQ(read_file(folder / "out"), bytes);
     EXPECT_EQ(files_in_folder(), 1u);
-    EXPECT_NE(message_of([&] { read_file(folder / "none"); }).find("none"), std::string::npos);
-    EXPECT_NE(message_of([&] { read_file(folder); }).find("cannot read"), std::string::npos);
-}
-
-TEST_F(Files, AreNotTouchedWhenWritingFails)
-{
     EXPECT_NE(message_of([&] { write_file(folder / "none" / "out", "x"); }).find("none/out"),
               std::string::npos);
-    fs::create_directories(folder / "taken" / "full");
-    EXPECT_NE(message_of([&] { write_file(folder / "taken", "x"); }).find("taken"),
-              std::string::npos);
-    EXPECT_EQ(files_in_folder(), 1u);  // the folder "taken", and nothing half written
+    EXPECT_NE(message_of([&] { read_file(folder / "none"); }).find("none"), std::string::npos);
+    EXPECT_NE(message_of([&] { read_file(folder); }).find("cannot read"), std::string::npos);
 }
 
 TEST_F(Files, AreNotChangedByAskingWhetherTheyCanBeWritten)
@@ -83,15 +75,6 @@ TEST_F(Files, AreNotChangedByAskingWhetherTheyCanBeWritten)
     EXPECT_EQ(read_file(folder / "old"), "kept");
     EXPECT_THROW(check_writable(folder / "none" / "out"), std::runtime_error);
     EXPECT_THROW(check_writable(folder), std::runtime_error);
-}
-
-TEST_F(Files, AreWrittenThroughLinks)
-{
-    std::ofstream(folder / "target") << "old, and longer";
-    fs::create_symlink(folder / "target", folder / "link");
-    write_file(folder / "link", "new");
-    EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    EXPECT_EQ(read_file(folder / "target"), "new");
 }
 
 TEST_F(Files, DumpTellsAnyTwoFloatsApart)

@@ -76,14 +76,6 @@ def test_opengl_too_old(programs, step, needed, offered):
     assert fails_with_one_line(result, CANNOT_RUN, f"needs OpenGL {needed}", offered)
 
 
-@pytest.mark.only_software("it can be told to be another OpenGL")
-@pytest.mark.parametrize("step", STEPS)
-def test_a_core_profile_is_refused(programs, step):
-    """In which steps 1 to 3 would draw nothing, and the panel in none."""
-    result = programs.run(step, *small(step), "--frames", 1, environment={"MESA_GL_VERSION_OVERRIDE": "4.5FC"})
-    assert fails_with_one_line(result, CANNOT_RUN, "compatibility profile")
-
-
 @pytest.mark.parametrize("step", STEPS)
 def test_runs_from_any_folder_and_writes_only_what_was_asked_for(programs, step, tmp_path):
     programs.run_well(step, *small(step), "--frames", 1, "--dump", "flakes.csv", cwd=tmp_path)

@@ -57,7 +57,6 @@ def test_csv_has_a_row_for_every_frame(programs, tmp_path, step, variant):
         assert sum(stages) <= float(row["frame_ms"])  # what is timed lies within the frame
     assert "benchmark: 12 frames" in result.stdout
     assert "vsync off" in result.stdout
-    assert "timing a stage costs" in result.stdout
 
 
 @pytest.mark.parametrize("step,variant", STEP_VARIANTS)

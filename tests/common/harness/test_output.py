@@ -1,4 +1,4 @@
-"""What the programs write: whole or not at all, and what is left when they are interrupted or short of memory."""
+"""What the programs write, and what is left when they are interrupted or short of memory."""
 
 import pathlib
 import resource
@@ -35,23 +35,14 @@ def test_dump_to_a_pipe(programs):
     assert result.stdout.count("\n") == 2 + 101  # what the program says, and the flakes
 
 
-def test_one_output_that_fails_leaves_the_old_file_and_takes_no_other_with_it(programs, tmp_path):
+def test_one_output_that_fails_takes_no_other_with_it(programs, tmp_path):
     """The picture is larger than a file may be, the other outputs are not."""
-    (tmp_path / "last.png").write_text("old")
     result = programs.run("step05_collision", "--size", "300x200", "--voxels", 32, "--frames", 3,
                           "--particles", 5, "--screenshot", tmp_path / "last.png",
                           "--dump", tmp_path / "flakes.csv", preexec_fn=limit_file_size)
     assert fails_with_one_line(result, 1, tmp_path / "last.png")
     assert len(Flakes(tmp_path / "flakes.csv").age) == 5
     assert "ledger: " in result.stdout
-    assert sorted(file.name for file in tmp_path.iterdir()) == ["flakes.csv", "last.png"]
-    assert (tmp_path / "last.png").read_text() == "old"
-
-
-def test_no_film_is_mixed_with_an_older_one(programs, tmp_path):
-    programs.run_well(STEP, *FEW, "--record", tmp_path)
-    result = programs.run(STEP, *SMALL, "--frames", 1, "--record", tmp_path)
-    assert fails_with_one_line(result, 1, tmp_path, "film")
 
 
 def start(programs, folder, *arguments):

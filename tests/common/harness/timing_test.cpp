@@ -99,15 +99,7 @@ TEST(Timing, FrameTimesAddUpToTheLoop)
 
 TEST(CheckMemory, SaysOtherErrorsToo)
 {
-    EXPECT_EQ(the_busy_run().said, "OpenGL error 0x0500 up to a test");
-}
-
-TEST(Timing, StagesDoNotNest)
-{
-    FrameTimer timer;
-    timer.begin_frame(true);
-    timer.begin_stage("outer");
-    EXPECT_THROW(timer.begin_stage("inner"), std::logic_error);
+    EXPECT_EQ(the_busy_run().said, "a test: OpenGL error 0x0500");
 }
 
 TEST(Timing, ARendererMayHaveQuotes)
