@@ -1,4 +1,4 @@
-// A camera that orbits a point: drag to turn, wheel to come nearer.
+// A camera that orbits a point, and flies with it.
 #pragma once
 
 #include <algorithm>
@@ -39,6 +39,16 @@ struct Camera {
     {
         azimuth -= pixels.x * 0.0087f;
         elevation = std::clamp(elevation + pixels.y * 0.0087f, -0.05f, 1.5f);
+    }
+    void fly(glm::vec3 by)  // m to the right, up, and ahead
+    {
+        const glm::mat3 axes = glm::transpose(glm::mat3(view()));
+        target += axes * glm::vec3(by.x, by.y, -by.z);
+    }
+    void pan(glm::vec2 pixels, int window_height)  // what it looks at stays under the mouse
+    {
+        const float pixel = 2 * distance * std::tan(field_of_view / 2) / float(window_height);  // m
+        fly({-pixels.x * pixel, pixels.y * pixel, 0});
     }
     void zoom(float notches)
     {

@@ -39,6 +39,16 @@ static void on_glut_error(const char* format, va_list arguments)
     std::_Exit(1);
 }
 
+// Steps 1 to 3 draw with fixed functions, and so does the panel.
+static bool is_core_profile()
+{
+    GLint profile = 0, flags = 0;
+    if (GLEW_VERSION_3_2) glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    if (GLEW_VERSION_3_0) glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+    return (profile & GL_CONTEXT_CORE_PROFILE_BIT) != 0 ||
+           (flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0;
+}
+
 static void check_opengl(const Lesson& lesson)
 {
     const auto need = [&lesson](const std::string& what, const std::string& there_is) {
@@ -48,6 +58,11 @@ static void check_opengl(const Lesson& lesson)
     const std::string version = gl_string(GL_VERSION);  // "4.5 (Compatibility Profile) Mesa ..."
     if (std::stod(version) < lesson.minimum_gl - 0.01)
         need("OpenGL " + std::to_string(lesson.minimum_gl).substr(0, 3), version);
+    if (is_core_profile()) {
+        throw std::runtime_error(lesson.name +
+                                 " needs a compatibility profile of OpenGL, this is " + version +
+                                 " without (is MESA_GL_VERSION_OVERRIDE set?)");
+    }
     for (const char* extension : lesson.extensions) {
         if (!glewIsSupported(extension)) need(extension, "none");
     }
@@ -74,6 +89,7 @@ void open_window(const CommandLine& command)
     glutInitWindowSize(command.size.x, command.size.y);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
     glutCreateWindow(name.c_str());
+    if (command.fullscreen) glutFullScreen();
 
     const GLenum status = glewInit();
     // Without a GLX display (under Wayland) GLEW has still loaded OpenGL's own functions.

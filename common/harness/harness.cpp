@@ -47,7 +47,12 @@ Harness::Harness(CommandLine line)
         the_harness->next_size_ = {std::max(width, 1), std::max(height, 1)};
     });
     glutIgnoreKeyRepeat(1);
-    glutKeyboardFunc([](unsigned char key, int x, int y) { the_harness->on_key(key, x, y); });
+    glutKeyboardFunc([](unsigned char key, int x, int y) {
+        const bool typed = the_harness->show_panel_ && the_harness->panel_->press_key(key, x, y);
+        if (!typed) the_harness->press(key);
+    });
+    glutSpecialFunc([](int key, int x, int y) { the_harness->on_special_key(key, true, x, y); });
+    glutSpecialUpFunc([](int key, int x, int y) { the_harness->on_special_key(key, false, x, y); });
     glutMouseFunc(
         [](int button, int state, int x, int y) { the_harness->on_button(button, state, x, y); });
     glutMotionFunc([](int x, int y) { the_harness->on_motion(x, y); });
@@ -163,6 +168,10 @@ void Harness::pace()
 
 void Harness::move_camera()
 {
+    if (flying_ != glm::vec3(0)) {
+        touring_ = false;
+        camera_.fly(std::max(3.0f, 0.4f * camera_.distance) * float(frame_seconds_) * flying_);
+    }
     if (touring_) {
         const float seconds = float(tour_seconds_);
         const Pose pose = terrain_ ? tour_above(*terrain_, seconds) : tour(seconds);
@@ -207,6 +216,7 @@ void Harness::swap_buffers()
     if (show_panel_) {
         const Stage panel = stage("panel");
         panel_->draw(size(), command_, controls_, timer_.frames(), renderer_name());
+        if (controls_.key != 0) press(std::exchange(controls_.key, 0));
     }
     glutSwapBuffers();
     const Clock::time_point now = Clock::now();
@@ -286,12 +296,10 @@ void Harness::on_close()
     if (drawn_now_) save_frame();
 }
 
-void Harness::on_key(unsigned char key, int x, int y)
+void Harness::press(unsigned char key)
 {
-    constexpr int escape = 27;
-    if (show_panel_ && panel_->press_key(key, x, y)) return;
     const int letter = std::tolower(key);
-    if (letter == escape) closing_ = true;
+    if (letter == escape_key) closing_ = true;
     if (letter == 'c') {
         camera_ = command_.camera;
         touring_ = false;
@@ -310,24 +318,38 @@ void Harness::on_key(unsigned char key, int x, int y)
     }
 }
 
+void Harness::on_special_key(int key, bool down, int x, int y)
+{
+    if (panel_->press_special_key(key, down, x, y)) return;
+    const float held = down ? 1.0f : 0.0f;
+    if (key == GLUT_KEY_LEFT) flying_.x = -held;
+    if (key == GLUT_KEY_RIGHT) flying_.x = held;
+    if (key == GLUT_KEY_PAGE_DOWN) flying_.y = -held;
+    if (key == GLUT_KEY_PAGE_UP) flying_.y = held;
+    if (key == GLUT_KEY_DOWN) flying_.z = -held;
+    if (key == GLUT_KEY_UP) flying_.z = held;
+    if (key == GLUT_KEY_F11 && down) glutFullScreenToggle();
+}
+
 void Harness::on_button(int button, int state, int x, int y)
 {
     mouse_ = {x, y};
-    dragging_ = false;
+    dragging_ = panning_ = false;
     if (show_panel_ && panel_->press_button(button, state, x, y)) return;
     if (state != GLUT_DOWN) return;
     camera_.zoom(float(wheel_notches(button)));
-    dragging_ = button == GLUT_LEFT_BUTTON;
+    panning_ = button == GLUT_RIGHT_BUTTON || (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
+    dragging_ = button == GLUT_LEFT_BUTTON || button == GLUT_RIGHT_BUTTON;
 }
 
 void Harness::on_motion(int x, int y)
 {
     panel_->move_mouse(x, y);
     const glm::ivec2 mouse(x, y);
-    if (dragging_) {
-        touring_ = false;
-        camera_.orbit(glm::vec2(mouse - mouse_));
-    }
+    const glm::vec2 way = mouse - mouse_;
+    if (dragging_) touring_ = false;
+    if (dragging_ && panning_) camera_.pan(way, size_.y);
+    if (dragging_ && !panning_) camera_.orbit(way);
     mouse_ = mouse;
 }
 

@@ -49,7 +49,8 @@ private:
     void attempt(const std::function<void()>& action, bool matters = true);
 
     void on_close();
-    void on_key(unsigned char key, int x, int y);
+    void press(unsigned char key);  // or its button in the panel
+    void on_special_key(int key, bool down, int x, int y);
     void on_button(int button, int state, int x, int y);
     void on_motion(int x, int y);
 
@@ -62,7 +63,8 @@ private:
     bool closing_ = false, gone_ = false;  // the window is to be closed; it is closed
     bool drawn_now_ = false;               // a frame waits to be shown
     glm::ivec2 next_size_, mouse_{};
-    bool dragging_ = false;
+    bool dragging_ = false, panning_ = false;
+    glm::vec3 flying_{0};  // to the right, up and ahead: -1, 0 or 1, as keys are held down
 
     bool touring_;                    // the camera flies, until the user takes it
     double tour_seconds_ = 0;         // since it began

@@ -90,8 +90,10 @@ void enter_scene(const std::string& name, CommandLine& command, std::vector<floa
 
 std::string keys_help(const std::vector<snow::Parameter>& parameters)
 {
-    std::string help = "Mouse: drag to orbit, wheel to zoom. C: camera back. T: tour. H: panel.\n"
-                       "Space: pause. R: restart. S: screenshot. Escape: quit.";
+    std::string help =
+        "Mouse: drag to orbit, wheel to zoom, right button or Shift to pan. Arrows,\n"
+        "page up, page down: fly. F11: full screen. C: camera back. T: tour.\n"
+        "H: panel. Space: pause. R: restart. S: screenshot. Escape: quit.";
     for (const snow::Parameter& parameter : parameters) {
         if (parameter.key == 0) continue;
         help += std::string(" ") + parameter.key + ": " + parameter.name + ".";
@@ -171,6 +173,7 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
         ->expected(2)
         ->check(CLI::Range(1, 16384))
         ->type_name("WIDTHxHEIGHT");
+    app.add_flag("--fullscreen", command.fullscreen, "fill the screen (F11 does it, too)");
     app.add_option("--camera", camera, "from the middle, degrees and m (41.25,15.47,17.5)")
         ->delimiter(',')
         ->expected(3)
@@ -240,6 +243,9 @@ CommandLine parse_command_line(int argc, char** argv, const Lesson& lesson)
     if (!command.record.empty()) {
         std::error_code error;  // is shown by what follows
         std::filesystem::create_directories(command.record, error);
+        if (std::filesystem::exists(command.record / "000001.png"))
+            throw std::runtime_error("cannot record into " + command.record.string() +
+                                     ": it holds a film already (name a new folder)");
         check_writable(command.record / "000001.png");
     }
     if (command.benchmark && app.count("--warmup") == 0) command.warmup = 960;

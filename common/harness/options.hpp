@@ -16,7 +16,7 @@ struct CommandLine : Options {
     glm::ivec2 size = {1280, 720};  // pixels
     Camera camera;                  // as it stands at the start
     bool tour = false;              // fly it through the courtyard
-    bool vsync = false;
+    bool vsync = false, fullscreen = false;
     std::optional<unsigned> frames;  // to stop after
     unsigned warmup = 0;             // frames before the first that counts; see harness.hpp
     bool realtime = false;  // steps follow the clock even when --frames, --dump ... are given

@@ -35,10 +35,16 @@ void check_writable(const fs::path& path)
 
 void write_file(const fs::path& path, std::string_view bytes)
 {
-    std::ofstream file(path, std::ios::binary);
+    const bool in_place = fs::exists(path) && (fs::is_symlink(path) || !fs::is_regular_file(path));
+    const fs::path written = in_place ? path : fs::path(path) += ".part";
+    std::ofstream file(written, std::ios::binary);
     file.write(bytes.data(), std::streamsize(bytes.size()));
     file.close();
-    if (!file) cannot_write(path);
+    std::error_code error;
+    if (file && !in_place) fs::rename(written, path, error);
+    if (file && !error) return;
+    if (!in_place) fs::remove(written, error);
+    cannot_write(path);
 }
 
 std::string png_of_back_buffer(glm::ivec2 size)

@@ -13,7 +13,8 @@
 // frame.
 void check_writable(const std::filesystem::path& path);
 
-// Throws std::runtime_error unless all of it is written.
+// Writes a file whole or not at all: beside it first, then renamed. A device, a pipe and what a
+// link points to are written as they are. Throws std::runtime_error.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // The back buffer, `size` pixels of it, as the bytes of a PNG file. Throws std::runtime_error.

@@ -81,8 +81,6 @@ Panel::Panel()
     ImGui_ImplOpenGL2_Init();
     // When it is hidden, too, or it would take a key for one held down that was let go meanwhile.
     glutKeyboardUpFunc(ImGui_ImplGLUT_KeyboardUpFunc);
-    glutSpecialFunc(ImGui_ImplGLUT_SpecialFunc);
-    glutSpecialUpFunc(ImGui_ImplGLUT_SpecialUpFunc);
 }
 
 Panel::~Panel()
@@ -135,6 +133,9 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
         command.weather.particles = unsigned(flakes);
         controls.restart = true;
     }
+    int times = int(command.timelapse);
+    ImGui::SliderInt("times as fast", &times, 1, 100, "%d", ImGuiSliderFlags_AlwaysClamp);
+    command.timelapse = unsigned(times);
     const std::vector<Variant>& variants = command.lesson.variants;
     for (const Variant& variant : variants) {
         if (ImGui::RadioButton(variant.name.c_str(), variant.name == command.variant)) {
@@ -151,7 +152,14 @@ void lay_out_panel(CommandLine& command, Controls& controls, const std::deque<Fr
     ImGui::SameLine();
     controls.single_step |= ImGui::Button("single step");
     ImGui::SameLine();
-    controls.restart |= ImGui::Button("restart");
+    const std::pair<const char*, unsigned char> buttons[] = {
+        {"restart", 'r'},     {"screenshot", 's'}, {"tour", 't'},
+        {"camera back", 'c'}, {"hide", 'h'},       {"quit", escape_key}};
+    for (const auto& [label, key] : buttons) {
+        if (ImGui::Button(label)) controls.key = key;
+        if (key == 's' || key == 't' || key == 'h') ImGui::SameLine();
+    }
+    ImGui::NewLine();
     ImGui::TextWrapped("%s", keys_help(parameters).c_str());
     ImGui::End();
 }
@@ -160,6 +168,12 @@ bool Panel::press_key(unsigned char key, int x, int y)
 {
     ImGui_ImplGLUT_KeyboardFunc(key, x, y);
     return ImGui::GetIO().WantTextInput;  // a number is being typed into a slider
+}
+
+bool Panel::press_special_key(int key, bool down, int x, int y)
+{
+    (down ? ImGui_ImplGLUT_SpecialFunc : ImGui_ImplGLUT_SpecialUpFunc)(key, x, y);
+    return ImGui::GetIO().WantTextInput;
 }
 
 bool Panel::press_button(int button, int state, int x, int y)

@@ -13,8 +13,11 @@ struct Controls {
     bool single_step = false;   // one time step, then pause again
     bool restart = false;       // begin anew, with all buffers as large as they then need to be
     bool save_picture = false;  // of the frame that is next
+    unsigned char key = 0;      // whose button was pressed: not all keyboards have Latin letters
     std::string note;           // the step's own line, for the panel
 };
+
+constexpr unsigned char escape_key = 27;
 
 // How far the wheel was turned: X11 has buttons for that, which freeglut passes on.
 inline int wheel_notches(int button)
@@ -35,6 +38,7 @@ public:
 
     // What the user does. True: it was for the panel.
     bool press_key(unsigned char key, int x, int y);
+    bool press_special_key(int key, bool down, int x, int y);
     bool press_button(int button, int state, int x, int y);
     void move_mouse(int x, int y);
 
