@@ -63,3 +63,9 @@ void LiveFlakes::draw() const
 {
     glMultiDrawArrays(GL_POINTS, first, count, 2);
 }
+
+void LiveFlakes::draw_around() const
+{
+    for (const int emitter : {0, 1})
+        glDrawArraysInstanced(GL_POINTS, first[emitter], count[emitter] / 8, 8);
+}

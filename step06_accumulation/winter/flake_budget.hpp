@@ -36,6 +36,9 @@ struct LiveFlakes {
     // Draws them as points, with the vertex array that is bound.
     void draw() const;
 
+    // Draws one in eight of them, eight times.
+    void draw_around() const;
+
     // Tells a program in use which flakes live (flakes/live.glsl).
     void set(Program& program) const;
 

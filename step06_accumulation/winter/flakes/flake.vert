@@ -2,12 +2,15 @@
 // Hands a flake on to the geometry shader, as it is and in what light.
 
 #include "common/weather_block.glsl"
+#include "step05_collision/terrain.glsl"
 #include "step06_accumulation/winter/light/air.glsl"
 
 layout(location = 0) in vec3 position;  // m
 layout(location = 1) in float age;      // s
 layout(location = 2) in vec3 velocity;  // m/s
 layout(location = 3) in float rest;     // s
+
+uniform int around;  // 1: draw it not here, but in the eight squares around that are as wide as the clouds
 
 out Flake
 {
@@ -58,13 +61,23 @@ vec3 telling_colour()
     return of_first_emitter(uint(gl_VertexID), weather) ? vec3(0.1, 0.4, 1.0) : vec3(1.0, 0.5, 0.1);
 }
 
+// m from here to the instance's square: beside the clouds the air is full of flakes as well.
+vec3 way_around()
+{
+    int square = gl_InstanceID < 4 ? gl_InstanceID : gl_InstanceID + 1;  // of 3 x 3, but the middle
+    vec2 way = 2.0 * weather.emitters[0].half_size.xz * (vec2(square % 3, square / 3) - 1.0);
+    vec3 there = position + vec3(way.x, 0.0, way.y);
+    return vec3(way.x, terrain_at(there) - terrain_at(position), way.y);
+}
+
 void main()
 {
-    flake.position = position;
-    flake.age = age;
+    vec3 here = around == 1 ? position + way_around() : position;
+    flake.position = here;
+    flake.age = around == 1 && rest > 0.0 ? -1.0 : age;  // what lies on something does so only here
     flake.velocity = velocity;
     flake.rest = rest;
     flake.index = uint(gl_VertexID);
-    vec4 air = air_before(position);
-    flake.colour = frame.colours != 0 ? telling_colour() : air.rgb + air.a * light_on_flake(position);
+    vec4 air = air_before(here);
+    flake.colour = frame.colours != 0 ? telling_colour() : air.rgb + air.a * light_on_flake(here);
 }

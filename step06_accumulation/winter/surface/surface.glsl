@@ -19,11 +19,11 @@ out vec4 air;
 
 void put_on_snow(Corner corner)
 {
-    const float margin = 1.0;  // m, along which the snow becomes that of the field
+    const float margin = 0.2;  // m within the edge, along which the snow becomes that of the field
     vec2 half_size = vec2(0.5 * grid.cell_size * float(grid.resolution));
     vec2 outside = abs(corner.position.xz - grid.origin.xz - half_size) - half_size;
     float away = max(outside.x, outside.y);  // from the edge of the grid
-    beyond = smoothstep(0.0, margin, away);
+    beyond = smoothstep(-margin, 0.0, away);
     base = across_grid(corner.position).y;
     // Snow cannot slide out of the grid, and would pile up at a wall on its edge: no more of it is drawn than
     // would be left if it could.
