@@ -139,7 +139,7 @@ def test_numbers(fakes):
             "| update 0.25, draw 0.75 |") in page(fakes)
     # Every second repeat runs backwards; the first start asks what renders.
     starts = (fakes / "starts").read_text().splitlines()[1:]
-    assert starts[14:] == starts[13::-1] and starts[0] == "step01_cpu_points 999"
+    assert starts[16:] == starts[15::-1] and starts[0] == "step01_cpu_points 999"
 
 
 @pytest.mark.parametrize("does, says", [
