@@ -135,11 +135,8 @@ class Programs:
         return ", ".join(line.partition(": ")[2].split(", ")[:-3])
 
     def preloaded(self, library):
-        """The variables that load one of the tests' libraries into a program, after those loaded.
-
-        By its bare name: LD_PRELOAD is split at spaces, of which the build folder's path may have
-        some; LD_LIBRARY_PATH is not.
-        """
+        """The variables that load one of the tests' libraries into a program, after those loaded: by its bare name, as
+        LD_PRELOAD is split at spaces, of which the build folder's path may have some."""
         names = [*os.environ.get("LD_PRELOAD", "").split(), f"lib{library}.so"]
         tests = self.config.getoption("build").resolve() / "tests"
         folders = [str(tests), *os.environ.get("LD_LIBRARY_PATH", "").split(":")]
@@ -164,9 +161,17 @@ class Programs:
         assert (result.returncode, result.stderr) == (0, "")
         return result
 
+    def picture(self, step, *arguments, **more):
+        """Red, green and blue of every pixel, 0 to 255, of the picture that a run with these arguments leaves."""
+        from pictures import read  # which imports this file
+        path = self.folder / "picture.png"
+        self.run_well(step, *arguments, "--screenshot", path, **more)
+        return read(path)
+
     def calls(self, step, *arguments):
         """What record_calls.cpp sees of a run with these arguments: a name and numbers for each call."""
         path = self.folder / "calls"
+        path.write_text("")  # there may be none
         self.run_well(step, *small(step), *arguments,
                       environment={**self.preloaded("record_calls"), "CALLS_FILE": str(path)})
         for name, *numbers in map(str.split, path.read_text().splitlines()):

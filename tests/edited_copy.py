@@ -1,11 +1,11 @@
 """A copy of the sources in which a test may try an edit: a chapter's wrong picture, a solution.
 
 One copy for all tests of a build folder, in tests/edited of it. It is brought up to date when a
-session first uses it, has one edit at a time, and builds no more than a test asks for.
+session first uses it, has one edit at a time (so ctest runs one of these files of tests after the other),
+and builds no more than a test asks for.
 """
 
 import contextlib
-import fcntl
 import os
 import re
 import subprocess
@@ -20,8 +20,7 @@ SETTINGS = ["CMAKE_BUILD_TYPE", "CMAKE_CXX_COMPILER", "CMAKE_CXX_COMPILER_LAUNCH
 class EditedCopy:
     """Called with a patch, of the source tree, it is for a `with`: inside, the edit is made.
 
-    `build`: the program, or a list of them, to build with it. Without, those of the build folder run,
-    with the shaders of the copy: an edit of shaders alone needs no more.
+    `build`: the program to build with it. An edit of shaders alone needs none.
     """
 
     def __init__(self, config, folder):
@@ -34,22 +33,18 @@ class EditedCopy:
 
     @contextlib.contextmanager
     def __call__(self, patch, build=None):
-        steps = [build] if isinstance(build, str) else build or []
         changed = changed_files(patch)
         compiled = [name for name in changed if is_compiled(name)]
-        assert steps or not compiled, f"{patch} changes {compiled[0]}: build a program with it"
-        self.home.mkdir(parents=True, exist_ok=True)
-        with open(self.home / "lock", "w") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)  # ctest runs several files of tests at once
-            if not self.is_current:
-                self.bring_up_to_date()
-            try:
-                self.apply(patch)
-                built = self.build_there(steps) if steps else self.build
-                yield Programs(self.config, self.folder, built, {"SNOWFALL_DIR": str(self.sources)})
-            finally:
-                for name in changed:
-                    self.restore(name)
+        assert build or not compiled, f"{patch} changes {compiled[0]}: build a program with it"
+        if not self.is_current:
+            self.bring_up_to_date()
+        try:
+            self.apply(patch)
+            built = self.build_there(build) if build else self.build
+            yield Programs(self.config, self.folder, built, {"SNOWFALL_DIR": str(self.sources)})
+        finally:
+            for name in changed:
+                self.restore(name)
 
     def bring_up_to_date(self):
         """Whatever differs is copied; what does not keeps its time, and is not built again."""
@@ -73,14 +68,14 @@ class EditedCopy:
         alone = {**os.environ, "GIT_CEILING_DIRECTORIES": str(self.home)}
         run(["git", "apply", str(ROOT / patch)], cwd=self.sources, env=alone)
 
-    def build_there(self, steps):
+    def build_there(self, step):
         there = self.home / "build"
         cache = (self.build / "CMakeCache.txt").read_text()
         settings = [f"-D{name}={value}" for name, value in re.findall(r"^(\w+):\w+=(.+)$", cache, re.M)
                     if name in SETTINGS]
         generator = re.search(r"^CMAKE_GENERATOR:INTERNAL=(.+)$", cache, re.M)[1]
         run(["cmake", "-S", self.sources, "-B", there, "-G", generator, "-DSNOWFALL_TESTS=OFF", *settings])
-        run(["cmake", "--build", there, "--parallel", str(os.cpu_count()), "--target", *steps])
+        run(["cmake", "--build", there, "--parallel", str(os.cpu_count()), "--target", step])
         return there
 
 

@@ -63,6 +63,10 @@ CORNERS = text(FLOOR, *(quad((-6, 0, z), (6, 0, z + 1), (6, 5, z + 1), (-6, 5, z
                         + quad((-6, 0, z), (-6, 5, z), (6, 5, z - 1), (6, 0, z - 1))
                         for z in range(-6, 7, 2)))
 
+# A lamp above the floor, and its lamp.mtl.
+LAMP = "mtllib lamp.mtl\n" + text(FLOOR) + "usemtl glass\n" + text(box((-0.2, 1.5, -0.2), (0.2, 2, 0.2)))
+GLASS = "newmtl glass\nKd 0.9 0.9 0.9\nKe 1 0.7 0.4\n"
+
 # A sitting rabbit: round, so that snow lies thinner towards its sides, and none below its belly and its chin.
 RABBIT = text(FLOOR, ellipsoid((0, 1.3, 0), (1.7, 1.3, 1.1), 12),        # its body,
               ellipsoid((1.7, 2.5, 0), (0.8, 0.65, 0.6)),                # head,

@@ -33,7 +33,7 @@ def test_nothing_creeps_back():
              ("the winter", 2700, 2700, 60, count(path for path in step_6 if is_winter(path))),
              ("all of that", 8700, 9978, 200, count([*common, *sum(steps, []), *step_6])),
              ("common/compare, Python", 800, 800, 6, count(files_in("common/compare"), (".py",))),
-             ("tests", 6500, 8400, 100, count(files_in("tests"), (*CODE, ".py", ".sh")))]
+             ("tests", 6500, 6480, 100, count(files_in("tests"), (*CODE, ".py", ".sh")))]
     print(f"{'':28}{'lines':>8}{'aim':>8}{'at most':>9}{'files':>7}{'characters':>12}")
     for name, aim, most, _, (files, lines, characters) in table:
         print(f"{name:28}{lines:8,}{aim:8,}{most:9,}{files:7}{characters:12,}")

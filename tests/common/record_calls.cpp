@@ -58,12 +58,17 @@ void barrier(GLbitfield bits)
 
 }  // namespace
 
-// These two stand in the way of the functions that a program is linked with: a draw, and GLX's own,
-// which GLEW asks for all that is newer than OpenGL 1.1.
+// These two stand in the way of the functions that a program is linked with: a draw, of which is
+// told, too, whether an array feeds attribute 0; and GLX's own, which GLEW asks for all that is
+// newer than OpenGL 1.1.
 extern "C" void glDrawArrays(GLenum mode, GLint first, GLsizei number)
 {
-    record("glDrawArrays", {mode, first, number});
+    using Get = void (*)(GLuint, GLenum, GLint*);
+    static const auto get = reinterpret_cast<Get>(opengl("glGetVertexAttribiv"));
     static const auto call = reinterpret_cast<decltype(&glDrawArrays)>(opengl("glDrawArrays"));
+    GLint fed = glIsEnabled(GL_VERTEX_ARRAY);  // of older shaders
+    if (!fed) get(0, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &fed);
+    record("glDrawArrays", {mode, first, number, fed});
     call(mode, first, number);
 }
 

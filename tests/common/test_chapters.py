@@ -5,7 +5,6 @@ import re
 import shutil
 import subprocess
 import urllib.parse
-import xml.etree.ElementTree as xml
 
 import pytest
 
@@ -121,7 +120,7 @@ def test_what_the_winter_adds_is_listed():
 
 
 def test_the_winter_can_be_written_from_its_chapter(tmp_path):
-    """Each stage takes out its shaders; then each listing goes into the file named last before it, and all is as it was."""
+    """Each stage takes out its shaders; then each listing goes into the file named last before it: all is as it was."""
     shutil.copytree(ROOT / WINTER, tmp_path / WINTER)
     files = {path: read(path) for path in (tmp_path / WINTER).rglob("*") if path.suffix in SOURCES}
     named = None
@@ -170,7 +169,7 @@ def test_edits_quoted_are_those_in_the_folder(folder):
 @pytest.mark.parametrize("folder", CHAPTERS)
 def test_options_named_are_options(programs, folder):
     """Those of the step, or of git, cmake, common/compare/compare.py and common/run.sh."""
-    text = re.sub(r"`(git|cmake|common/)[^`]*`|^ *(git|cmake|common/).*", "", without_listings(folder), flags=re.MULTILINE)
+    text = re.sub(r"`(git|cmake|common/)[^`]*`|^ *(git|cmake|common/).*", "", without_listings(folder), flags=re.M)
     known = programs.run_well(folder.partition("/")[0], "--help").stdout
     for option in re.findall(r"--[a-z]\w*(?:-\w+)*", text):
         assert option in known, option
@@ -178,7 +177,7 @@ def test_options_named_are_options(programs, folder):
         assert re.search(rf"\b{name} +-?\d", known), name
 
 
-# ---- Pictures, figures and links.
+# ---- Links.
 
 def anchors(page):
     """What GitHub makes of the headings."""
@@ -198,28 +197,6 @@ def test_links_lead_somewhere(folder):
         if url.fragment:
             page = path.parent if path.is_file() else path
             assert url.fragment in anchors(page.resolve().relative_to(ROOT)), link
-
-
-@pytest.mark.parametrize("folder", CHAPTERS)
-def test_pictures_are_shown(folder):
-    """All in the chapter's folder, but for those that a program reads."""
-    shown = re.findall(r"!\[[^\]]+\]\(([^)]+)\)", chapter(folder))
-    present = {str(path.relative_to(ROOT / folder)) for names in ("*.png", "figures/*.svg")
-               for path in files_in(folder, f"{folder}/{names}")}
-    code = " ".join(map(read, sources(folder)))
-    assert {name for name in present if f"{folder}/{name}" not in code} <= set(shown)
-
-
-@pytest.mark.parametrize("figure", [str(path.relative_to(ROOT)) for top in ["common", *STEPS]
-                                    for path in files_in(top, "figures/*.svg")])
-def test_figure_can_be_read(figure):
-    """Text is text and large enough, on a ground of its own; there is a title for those who do not see it."""
-    root = xml.fromstring(read(figure))
-    svg = "{http://www.w3.org/2000/svg}"
-    assert root.find(f"{svg}title").text.strip() and root.find(f"{svg}desc").text.strip()
-    assert root.find(f"{svg}rect").get("width") == "100%"
-    for element in root.iter():
-        assert float(element.get("font-size", "14").removesuffix("px")) >= 14
 
 
 # ---- Measurements and exercises.

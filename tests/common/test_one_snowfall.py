@@ -22,17 +22,10 @@ def snowfall(step, frames, variant=None, particles=5000):
 @pytest.mark.parametrize("step, variant", ON_CPU)
 def test_same_bytes_on_the_cpu(programs, step, variant):
     """One loop or three, points or crystals, uploaded this way or that: not one bit differs."""
-    expected = programs.dump(*snowfall("step01_cpu_points", 300, particles=20000))
-    assert expected.count(b"\n") == 20001
-    assert programs.dump(*snowfall(step, 300, variant, particles=20000)) == expected
-
-
-@pytest.mark.parametrize("step, variant", ON_CPU)
-def test_same_bytes_among_vortices(programs, step, variant):
-    swirl = ["--set", "swirl=2", "--set", "wind_x=1"]
-    expected = programs.dump(*snowfall("step01_cpu_points", 300, particles=20000), *swirl)
-    assert expected != programs.dump(*snowfall("step01_cpu_points", 300, particles=20000), *swirl[2:])
-    assert programs.dump(*snowfall(step, 300, variant, particles=20000), *swirl) == expected
+    for more in [], ["--set", "swirl=2", "--set", "wind_x=1"], ["--weather", "hail"]:
+        expected = programs.dump(*snowfall("step01_cpu_points", 300, particles=20001), *more)
+        assert expected.count(b"\n") == 20002
+        assert programs.dump(*snowfall(step, 300, variant, particles=20001), *more) == expected
 
 
 def share_alike(flakes, expected):
@@ -48,24 +41,15 @@ def share_alike(flakes, expected):
 def test_same_flakes_on_the_gpu(programs, step, variant, frames):
     """Within 1 mm, and as little in all else, for 99.9 % of the flakes.
 
-    The GPU may round the last bit of a product or a square root differently (GLSL allows it),
-    which moves a flake by some micrometres. A few flakes pass the ground by no more than that: on
-    the other side of the rounding they land one step earlier or later, so they melt and are reborn
-    one step earlier or later too. Where a flake is reborn depends on the step, so from then on it
-    is elsewhere altogether. (Step 4's `geometry` has no order of its own to compare: its dump puts
+    The GPU may round the last bit of a product or a square root differently (GLSL allows it), which moves a flake by
+    some micrometres. A few flakes pass the ground by no more than that: they land, melt and are reborn one step earlier
+    or later, and from then on are elsewhere altogether. Vortices, in the run of 300 frames, carry neighbours apart, and
+    with them roundings. (Step 4's `geometry` has no order of its own to compare: its dump puts
     each flake where the number that it carries belongs.)
     """
-    expected = programs.flakes(*snowfall("step01_cpu_points", frames))
-    flakes = programs.flakes(*snowfall(step, frames, variant))
-    assert share_alike(flakes, expected) >= 0.999
-
-
-@pytest.mark.parametrize("step, variant", ON_GPU)
-def test_same_flakes_among_vortices(programs, step, variant):
-    """Vortices carry neighbours apart, and with them roundings: still less than 1 mm after five seconds."""
-    swirl = ["--set", "swirl=2", "--set", "wind_x=1"]
-    expected = programs.flakes(*snowfall("step01_cpu_points", 300), *swirl)
-    assert share_alike(programs.flakes(*snowfall(step, 300, variant), *swirl), expected) >= 0.999
+    swirl = ["--set", "swirl=2", "--set", "wind_x=1"] if frames == 300 else []
+    expected = programs.flakes(*snowfall("step01_cpu_points", frames), *swirl)
+    assert share_alike(programs.flakes(*snowfall(step, frames, variant), *swirl), expected) >= 0.999
 
 
 @pytest.mark.only_software("softpipe is Mesa's as well")
@@ -82,10 +66,9 @@ def test_same_flakes_on_another_driver(programs, tmp_path, step, variant):
     assert share_alike(Flakes(path), expected) >= 0.99  # of 500 flakes 5 may have met an edge
 
 
-@pytest.mark.parametrize("frames", FRAMES)
 @pytest.mark.parametrize("step", STEPS)
-def test_every_flake_is_where_a_flake_can_be(programs, step, frames):
-    flakes = programs.flakes(*snowfall(step, frames))
+def test_every_flake_is_where_a_flake_can_be(programs, step):
+    flakes = programs.flakes(*snowfall(step, 900))
     for quantity in (flakes.position, flakes.age, flakes.velocity, flakes.rest):
         assert numpy.isfinite(quantity).all()
     assert (flakes.position[:, 1] >= 0).all()                # none below the ground
@@ -94,28 +77,9 @@ def test_every_flake_is_where_a_flake_can_be(programs, step, frames):
     assert flakes.airborne.any()
 
 
-@pytest.mark.parametrize("step", STEPS)
-def test_no_flake_is_too_fast(programs, step):
-    """Terminal speed, plus wind, plus what turbulence adds (derived in unit/physics_test.cpp)."""
-    wind, turbulence, gravity = 5.0, 3.0, 9.81
-    flakes = programs.flakes(*snowfall(step, 300), "--set", f"wind_x={wind}")
-    terminal = 1.15 * numpy.where(numpy.arange(5000) < 2500, 1.0, 1.5)  # fastest of each cloud
-    fastest = wind + terminal * numpy.sqrt(1 + numpy.sqrt(3) * turbulence / gravity)
-    speed = numpy.linalg.norm(flakes.velocity, axis=1)
-    assert (speed <= fastest).all()
-    assert speed[flakes.airborne].max() > 0.8 * wind  # they do drift; step 6 has gusts
-
-
-def test_seed_and_weather_make_another_snowfall(programs):
-    dumps = [programs.dump("step01_cpu_points", "--frames", 60, *other)
-             for other in ([], ["--seed", 2], ["--weather", "rain"], ["--weather", "hail"],
-                           ["--set", "wind_x=3"], ["--set", "turbulence=0"])]
-    assert len(set(dumps)) == len(dumps)
-
-
 @pytest.mark.parametrize("step, variant", STEP_VARIANTS)
-@pytest.mark.parametrize("particles", [0, 1, 3])
-def test_small_pools(programs, step, variant, particles):
+def test_small_pools(programs, step, variant):
     """None at all, one cloud without flakes, halves of unequal size."""
-    flakes = programs.flakes(step, "--particles", particles, "--variant", variant, "--frames", 20)
-    assert len(flakes.age) == particles
+    for particles in 0, 1, 3:
+        flakes = programs.flakes(step, "--particles", particles, "--variant", variant, "--frames", 9)
+        assert len(flakes.age) == particles

@@ -10,7 +10,6 @@ import time
 
 import numpy
 import PIL.Image
-import PIL.ImageGrab
 import pytest
 
 import driver
@@ -65,53 +64,29 @@ class OpenProgram:
         wait_until(path.exists, "a picture")
         return path.read_bytes()
 
-    def screen(self, folder):
-        """The window as the screen shows it, with its panel: after all that was done before."""
-        for _ in range(2):  # what a click does is drawn in the frame after the one that sees it
-            self.picture(folder)
-        place = self.xdotool("getwindowgeometry", "--shell", self.window)
-        x, y, width, height = (int(re.search(rf"^{name}=(-?\d+)", place, re.MULTILINE)[1])
-                               for name in ("X", "Y", "WIDTH", "HEIGHT"))
-        screen = PIL.ImageGrab.grab(xdisplay=os.environ["DISPLAY"]).convert("RGB")
-        return numpy.asarray(screen.crop((x, y, x + width, y + height)))
-
-    def point_at(self, x, y):
-        self.xdotool("mousemove", "--window", self.window, x, y)
-
     def press_close_button(self):
         """Sends the message that a window manager sends; none runs here, and xdotool cannot."""
-        class ClientMessage(ctypes.Structure):  # XClientMessageEvent of Xlib.h
-            _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong),
-                        ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
-                        ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong),
-                        ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
-                        ("rest_of_union", ctypes.c_long * 24)]
-
         x11 = ctypes.CDLL("libX11.so.6")
         x11.XOpenDisplay.restype = ctypes.c_void_p
-        x11.XInternAtom.restype = ctypes.c_ulong
-        x11.XInternAtom.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int]
-        x11.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long,
-                                   ctypes.c_void_p]
-        x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
-        display = x11.XOpenDisplay(None)
-        event = ClientMessage(type=33, window=int(self.window), format=32,  # 33: ClientMessage
-                              message_type=x11.XInternAtom(display, b"WM_PROTOCOLS", 0))
-        event.data[0] = x11.XInternAtom(display, b"WM_DELETE_WINDOW", 0)
-        x11.XSendEvent(display, int(self.window), 0, 0, ctypes.byref(event))
+        display, window = ctypes.c_void_p(x11.XOpenDisplay(None)), ctypes.c_ulong(int(self.window))
+        protocols, close = (x11.XInternAtom(display, name, 0) for name in (b"WM_PROTOCOLS", b"WM_DELETE_WINDOW"))
+        # XClientMessageEvent of Xlib.h: type, serial, send_event, display, window, message_type, format, data.
+        event = (ctypes.c_long * 24)(33, 0, 0, 0, window.value, protocols, 32, close)
+        x11.XSendEvent(display, window, 0, ctypes.c_long(0), event)
         x11.XCloseDisplay(display)
 
     def hold_up(self, seconds):
         """Stops the program as a debugger or a busy machine would, and lets it go on."""
         self.process.send_signal(signal.SIGSTOP)
-        state = lambda: open(f"/proc/{self.process.pid}/stat").read().rsplit(")", 1)[1].split()[0]
-        wait_until(lambda: state() == "T", "the program to stop")
+        wait_until(lambda: ") T " in open(f"/proc/{self.process.pid}/stat").read(), "the program to stop")
         time.sleep(seconds)  # not to wait for anything: this is the hitch
         self.process.send_signal(signal.SIGCONT)
 
     def ends_well(self):
-        _, errors = self.process.communicate(timeout=PATIENCE)
+        """And what it has said."""
+        said, errors = self.process.communicate(timeout=PATIENCE)
         assert (self.process.returncode, errors) == (0, "")
+        return said
 
 
 @pytest.fixture
@@ -129,37 +104,20 @@ def open_program(programs, tmp_path):
             program.process.wait()
 
 
-@pytest.mark.parametrize("frames, warmup", [(0, 0), (1, 0), (37, 0), (37, 5)])
 @pytest.mark.parametrize("step", STEPS)
-def test_frames_asked_for_are_frames_shown(programs, tmp_path, step, frames, warmup):
+def test_frames_asked_for_are_frames_shown(programs, tmp_path, step):
     count = tmp_path / "count"
-    programs.run_well(step, *small(step), "--frames", frames, "--warmup", warmup,
+    programs.run_well(step, *small(step), "--frames", 37, "--warmup", 5,
                       environment={**programs.preloaded("count_swaps"), "SWAPS_FILE": str(count)})
-    assert int(count.read_text()) == frames + warmup
+    assert int(count.read_text()) == 37 + 5
 
 
-@pytest.mark.parametrize("step", STEPS)
-def test_each_frame_is_one_step(programs, step):
-    """A flake that waits for its birth only grows older, by 1/60 s a step."""
-    before = programs.flakes(step, "--frames", 0)
-    after = programs.flakes(step, "--frames", 90)
-    waiting = after.age < 0
-    assert waiting.sum() > 1000
-    steps = (after.age - before.age)[waiting] * 60
-    # 0.01: a step rounds the age, some 10 s, by a millionth; 90 may add up to 0.006 steps.
-    assert numpy.abs(steps - 90).max() < 0.01
+@pytest.mark.parametrize("step", [STEPS[3], STEPS[-1]])
+def test_timelapse_makes_the_same_steps_in_fewer_frames(programs, step):
+    assert programs.dump(step, "--frames", 30, "--timelapse", 3) == programs.dump(step, "--frames", 90)
 
 
-@pytest.mark.parametrize("step, arguments", [
-    ("step01_cpu_points", []), ("step04_transform_feedback", []),
-    ("step06_accumulation", ["--scene", "none"]),  # to draw it 400 times would take a minute
-])
-def test_timelapse_makes_the_same_steps_in_fewer_frames(programs, step, arguments):
-    assert (programs.dump(step, *arguments, "--frames", 100, "--timelapse", 3)
-            == programs.dump(step, *arguments, "--frames", 300, "--timelapse", 1))
-
-
-@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("step", [STEPS[0], STEPS[-1]])
 def test_record_leaves_a_picture_of_every_frame_that_counts(programs, tmp_path, step):
     """Of the warm-up none. The folder is made, and the last picture is that of --screenshot."""
     folder = tmp_path / "new" / "film"
@@ -184,15 +142,11 @@ def test_camera_stands_where_it_is_told_and_flies_the_same_way_twice(programs, t
     assert flight != picture("--frames", 30, "--tour")
 
 
-@pytest.mark.parametrize("end", ["Escape", "close button"])
 @pytest.mark.parametrize("step", STEPS)
-def test_however_it_ends_the_files_asked_for_are_there(open_program, tmp_path, step, end):
-    """The window, and OpenGL with it, must not be gone before the flakes and the picture are read back."""
+def test_where_its_window_is_closed_the_files_asked_for_are_there(open_program, tmp_path, step):
+    """OpenGL must not be gone with it before the flakes and the picture are read back. (After Escape: see below.)"""
     program = open_program(step, *small(step), *FOREVER, "--dump", "flakes.csv", "--screenshot", "last.png")
-    if end == "Escape":
-        program.press(end)
-    else:
-        program.press_close_button()
+    program.press_close_button()
     program.ends_well()
     assert Flakes(tmp_path / "flakes.csv").airborne.any()
     picture = numpy.asarray(PIL.Image.open(tmp_path / "last.png").convert("RGB"))
@@ -203,7 +157,8 @@ def test_however_it_ends_the_files_asked_for_are_there(open_program, tmp_path, s
 def test_a_context_that_is_lost_leaves_no_old_flakes(programs, tmp_path, step, variant):
     """They were the GPU's, and it no longer answers: an error, and no file that looks like a result."""
     result = programs.run(step, *small(step), "--variant", variant, "--particles", 100, "--frames", 9,
-                          "--dump", tmp_path / "flakes.csv", environment=programs.preloaded("lose_context"))
+                          "--dump", tmp_path / "flakes.csv",
+                          environment={**programs.preloaded("count_swaps"), "SWAPS_LOSE": "1"})
     assert fails_with_one_line(result, 1, "cannot read back the flakes")
     assert "ledger" not in result.stdout
     assert list(tmp_path.iterdir()) == []
@@ -218,7 +173,7 @@ def test_the_title_shows_the_frame_time_without_glut(programs, open_program):
     program.ends_well()
 
 
-@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("step", [STEPS[0], STEPS[2], STEPS[-1]])
 def test_resizing(open_program, tmp_path, step):
     """To a new size, seen in what the S key saves; to a single pixel and back; and to none."""
     program = open_program(step, *small(step))
@@ -261,46 +216,9 @@ def test_mouse_turns_the_camera_and_c_turns_it_back(open_program, tmp_path):
     program.ends_well()
 
 
-TITLE_BAR = (41, 74, 122)  # as ImGui's dark style paints that of a window in use
-
-
-def find(screen, colour):
-    """The uppermost run of rows that hold this colour, as (first, last); None if there is none."""
-    # 6: what the panel is not quite opaque above lets through of the picture.
-    close = numpy.abs(screen.astype(int) - colour).max(axis=2) < 6
-    rows = numpy.flatnonzero(close.sum(axis=1) >= 5)
-    if not len(rows):
-        return None
-    gaps = numpy.flatnonzero(numpy.diff(rows) > 1)
-    return int(rows[0]), int(rows[gaps[0]] if len(gaps) else rows[-1])
-
-
-def test_the_panel_lets_go_of_keys_and_of_the_mouse(open_program, tmp_path):
-    """Tab is not held for ever, which would keep Escape from quitting; nor is the panel, when H hides
-    it while it is dragged."""
-    program = open_program("step05_collision", "--size", "500x400", "--voxels", 32,
-                           "--particles", 0)
-
-    def top():
-        bar = find(program.screen(tmp_path), TITLE_BAR)
-        return bar and bar[0]
-
-    first = top()
-    program.point_at(60, first + 8)
-    program.picture(tmp_path)
-    program.xdotool("mousedown", 1)
-    program.picture(tmp_path)
-    program.point_at(60, first + 28)
-    wait_until(lambda: top() == first + 20, "the panel to follow the mouse")
-    program.press("h")
-    wait_until(lambda: top() is None, "the panel to go")
-    program.xdotool("mouseup", 1)
-    program.press("h")
-    wait_until(lambda: top() == first + 20, "the panel to come back")
-    program.point_at(60, first + 68)
-    assert top() == first + 20
-
-    # Into a slider, if a frame sees it, which Escape then leaves before it quits.
+def test_tab_is_not_held_for_ever(open_program):
+    """It leads into a slider, if a frame sees it, which Escape then leaves before it quits."""
+    program = open_program("step05_collision", "--size", "500x400", "--voxels", 32, "--particles", 0)
     program.press("Tab")
     wait_until(lambda: program.press("Escape") or program.process.poll() is not None, "the end")
     program.ends_well()
@@ -322,41 +240,24 @@ def test_keys(open_program, tmp_path):
     program.press("h")
     picture()
     program.press("Escape")
-    out, err = program.process.communicate(timeout=PATIENCE)
-    assert (program.process.returncode, err) == (0, "")
-    assert out.count("step01_cpu_points one-loop: ") == 2
+    assert program.ends_well().count("step01_cpu_points one-loop: ") == 2
     with open(tmp_path / "times.csv", newline="") as file:
         drawn = [row["panel_cpu_ms"] != "" for row in csv.DictReader(file)]
     first = drawn.index(True)
     assert not any(drawn[:first]) and all(drawn[first:]) and 0 < first
 
 
-def test_a_picture_that_cannot_be_saved_ends_nothing(open_program, tmp_path):
-    """A folder stands where S would write. The run goes on, and its results are not lost."""
-    step = "step01_cpu_points"
-    (tmp_path / f"{step}.png").mkdir()
-    program = open_program(step, *SMALL, "--dump", "flakes.csv", *FOREVER)
-    program.press("s")
-    program.wait_for_frames()
-    program.press("Escape")
-    _, err = program.process.communicate(timeout=PATIENCE)
-    assert program.process.returncode == 0
-    assert err.startswith("warning: cannot write") and err.count("\n") == 1
-    assert Flakes(tmp_path / "flakes.csv").airborne.any()
-
-
 def test_panel_changes_flakes_and_variant(open_program, tmp_path):
     """Clicks down a column that crosses the slider of the flakes and the second variant's button."""
     program = open_program("step02_vbo", "--size", "1100x700", "--dump", "flakes.csv", *FOREVER)
-    for y in range(100, 400, 6):
+    for y in range(100, 400, 12):
         program.xdotool("mousemove", "--window", program.window, 130, y)
         for button in ("mousedown", "mouseup"):
             program.picture(tmp_path)  # a frame in between, or the panel sees no click
             program.xdotool(button, 1)
     program.picture(tmp_path)
     program.press("Escape")
-    out, err = program.process.communicate(timeout=PATIENCE)
-    assert (program.process.returncode, err) == (0, "")
+    out = program.ends_well()
     runs = re.findall(r"^step02_vbo (\w+): .*, (\d+) flakes of ", out, re.MULTILINE)
     assert runs[0] == ("subdata", "20000")
     variants, counts = zip(*runs)
@@ -366,17 +267,12 @@ def test_panel_changes_flakes_and_variant(open_program, tmp_path):
 
 @pytest.mark.parametrize("step", STEPS)
 def test_a_hitch_loses_nothing(programs, open_program, tmp_path, step):
-    """Frames that take 0.1, 1 and 10 s: the snow only slows down.
-
-    After K steps, made in however large bunches, the flakes are those of a run that made K steps
-    one by one, to the byte: none is lost, landed twice or moved further. It hails, with little time
-    between landing and rebirth, so that thousands of flakes land within these seconds.
-    """
+    """Frames that take 0.1 and 1 s: the snow only slows down. After K steps, made in however large bunches, the flakes
+    are those of a run that made K steps one by one, to the byte. It hails, so that thousands of flakes land."""
     hail = ["--weather", "hail", "--set", "melt_time=20"]
     start = time.monotonic()
     program = open_program(step, *small(step), *hail, *FOREVER, "--dump", "flakes.csv")
-    # Ten seconds are for the first program and the last: all share the code that meets the hitch.
-    hitches = [0.1, 1, 10] if step in (STEPS[0], STEPS[-1]) else [0.1, 1]
+    hitches = [0.1, 1]
     for seconds in hitches:
         program.hold_up(seconds)
         program.wait_for_frames()
@@ -384,13 +280,8 @@ def test_a_hitch_loses_nothing(programs, open_program, tmp_path, step):
     program.ends_well()
     run_time = time.monotonic() - start - sum(hitches)
 
-    flakes = Flakes(tmp_path / "flakes.csv")
-    for quantity in (flakes.position, flakes.age, flakes.velocity, flakes.rest):
-        assert numpy.isfinite(quantity).all()
-    assert (flakes.position[:, 1] >= 0).all()
-
     # The steps made, from the age of the flake that waits longest.
-    unborn = programs.flakes(step, *hail, "--frames", 0)
+    flakes, unborn = Flakes(tmp_path / "flakes.csv"), programs.flakes(step, *hail, "--frames", 0)
     last = unborn.age.argmin()
     assert flakes.age[last] < 0
     steps = round((flakes.age[last] - unborn.age[last]) * 60)

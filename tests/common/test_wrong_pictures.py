@@ -40,7 +40,7 @@ def test_picture_is_what_its_command_draws(request, programs, edited, tmp_path, 
 
     def draw(there):
         there.run_well(step, *arguments, cwd=tmp_path)
-        check_against(request, programs, ROOT / folder / f"{name}.png", read(tmp_path / f"{name}.png"))
+        check_against(request, ROOT / folder / f"{name}.png", read(tmp_path / f"{name}.png"))
     if name not in patches(folder):
         return draw(programs)
     patch = f"{folder}/{name}.patch"

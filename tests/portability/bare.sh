@@ -4,11 +4,10 @@
 # more, and runs common/run.sh in it, without a display and from a folder whose name has a space and
 # an umlaut. It has to succeed and to leave its picture.
 #
-#     tests/portability/bare.sh [--as root|student] [--step N] [--tests|--build-tests] [SUITE]
+#     tests/portability/bare.sh [--as root|student] [--tests|--build-tests] [SUITE]
 #
 # SUITE: bookworm (the default), trixie, forky.
 # --as: only as root, or only as a user with sudo; otherwise as both, each on a Debian of its own.
-# --step: what common/run.sh is to run, 1 by default.
 # --tests: runs tests/run.sh afterwards. --build-tests: builds them, no more.
 #
 # Packages come from where this machine has its own from. The Debian lies in $TMPDIR, or /tmp, and
@@ -25,7 +24,7 @@ folder="/home/student/Schöne Flocken"
 # inside ROOTFS: called back by mmdebstrap when the Debian stands.
 inside()
 {
-    local rootfs=$1 began=$SECONDS picture
+    local rootfs=$1 began=$SECONDS
     touch "$signs/stands"
     echo "127.0.0.1 localhost $(uname -n)" >"$rootfs/etc/hosts"  # or sudo complains
     chroot "$rootfs" useradd --create-home --shell /bin/bash student
@@ -43,11 +42,10 @@ inside()
             su --login -c 'cd "$1" && shift && "$@"' -- "$who" sh "$folder" "$@" </dev/null
     }
 
-    say "A bare $suite stands. As $who: common/run.sh $step"
-    log_in_and common/run.sh "$step"
-    picture=$(printf 'snowfall_step%02d.png' "$step")
-    if [[ $(head -c 4 "$rootfs$folder/$picture" | tail -c 3) != PNG ]]; then
-        say "common/run.sh $step says that all went well, but there is no picture."
+    say "A bare $suite stands. As $who: common/run.sh 1"
+    log_in_and common/run.sh 1
+    if [[ $(head -c 4 "$rootfs$folder/snowfall_step01.png" | tail -c 3) != PNG ]]; then
+        say "common/run.sh says that all went well, but there is no picture."
         return 1
     fi
     say "Done in $((SECONDS - began)) s."
@@ -65,12 +63,10 @@ if [[ ${1:-} == --inside ]]; then
 fi
 
 users=(root student)
-step=1
 tests=
 while [[ ${1:-} == -* ]]; do
     case $1 in
         --as) users=("$2"); shift ;;
-        --step) step=$2; shift ;;
         --tests) tests=tests/run.sh ;;
         --build-tests) tests="tests/run.sh -N" ;;  # ctest then shows them only
         *) sed -n '/^#     /s/^# */Usage: /p' "$0" >&2; exit 2 ;;
@@ -102,7 +98,7 @@ mapfile -t options < <(apt-config dump --no-empty --format '%F "%v"%n' Acquire |
 signs=$(mktemp -d -- "$temporary/bare.XXXXXX")
 trap 'rm -rf -- "$signs"' EXIT
 chmod 777 "$signs"
-export suite step tests who signs
+export suite tests who signs
 hook="$(printf '%q' "$root/tests/portability/bare.sh") --inside \"\$1\""
 for who in "${users[@]}"; do
     rm -f -- "$signs/stands"

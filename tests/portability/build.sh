@@ -9,8 +9,8 @@
 # clang: with Clang.
 # no-tests: where what the tests need is missing.
 # vcpkg: with stb and ImGui as vcpkg lays them out, beside Debian's own packages.
-# mingw: every source for Windows, as far as that needs no library: it is read, not linked. What
-#     knows of files is, and is tried with names beyond ASCII, where there is Wine.
+# mingw: every source for Windows, read and not linked, but for what knows of files: that is tried with
+#     names beyond ASCII, where there is Wine.
 #
 # Everything comes from Debian's packages, nothing from the network. What it builds lies in $TMPDIR,
 # or /tmp, and is removed. Exit status 77, after one line that says why, where it cannot be tried.

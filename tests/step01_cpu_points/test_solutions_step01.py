@@ -6,7 +6,6 @@ import numpy
 import pytest
 
 from conftest import SMALL
-from pictures import read
 
 STEP = "step01_cpu_points"
 
@@ -40,10 +39,9 @@ def test_exercise_2_without_turbulence_flakes_fall_straight_down(programs):
     assert fall_speeds(flakes) == pytest.approx([1, 1.5], abs=0.01)
 
 
-def test_exercise_3_flakes_that_lie_have_another_colour(edited, tmp_path):
+def test_exercise_3_flakes_that_lie_have_another_colour(edited):
     with edited(f"{STEP}/solutions/3.patch", build=STEP) as programs:
-        programs.run_well(STEP, "--timelapse", 30, "--frames", 30, "--screenshot", tmp_path / "a.png")
-    red, _, blue = numpy.moveaxis(read(tmp_path / "a.png"), 2, 0)
+        red, _, blue = numpy.moveaxis(programs.picture(STEP, "--timelapse", 30, "--frames", 30), 2, 0)
     orange = (red == 255) & (blue < 100)
     rows, _ = numpy.nonzero(orange)
     assert orange.sum() > 5000  # of 5,800 flakes that lie, half 2 x 2 pixels large

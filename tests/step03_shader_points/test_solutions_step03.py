@@ -3,29 +3,23 @@
 import numpy
 import pytest
 
-from pictures import read
-
 STEP = "step03_shader_points"
 SNOW = ["--size", "640x360", "--timelapse", 30, "--frames", 40]
 FAR = [*SNOW, "--camera", "41,15,60"]
 LARGE = [*SNOW, "--particles", 300, "--set", "diameter_0=0.7", "--set", "diameter_1=1"]
 
 
-@pytest.fixture
-def draw(tmp_path):
-    def draw(there, *arguments):
-        there.run_well(STEP, *arguments, "--screenshot", tmp_path / "picture.png")
-        return read(tmp_path / "picture.png")
-    return draw
+def draw(there, *arguments):
+    return there.picture(STEP, *arguments)
 
 
-def test_exercise_1_the_corners_are_empty_anyway(edited, programs, draw):
+def test_exercise_1_the_corners_are_empty_anyway(edited, programs):
     expected = draw(programs, *SNOW)
     with edited(f"{STEP}/solutions/1.patch") as changed:
         assert (draw(changed, *SNOW) == expected).all()
 
 
-def test_exercise_2_far_flakes_are_sharp_pixels(edited, programs, draw):
+def test_exercise_2_far_flakes_are_sharp_pixels(edited, programs):
     def white(picture):
         return (picture.min(axis=2) > 200).sum()
     assert white(draw(programs, *FAR)) == 0
@@ -33,7 +27,7 @@ def test_exercise_2_far_flakes_are_sharp_pixels(edited, programs, draw):
         assert white(draw(changed, *FAR)) > 1000
 
 
-def test_exercise_3_hexagons_cover_less_than_discs(edited, programs, draw):
+def test_exercise_3_hexagons_cover_less_than_discs(edited, programs):
     """In theory by 17 %; but of discs and hexagons alike the last pixels are too faint to be counted."""
     empty = draw(programs, *SNOW, "--particles", 0)
 
@@ -44,7 +38,7 @@ def test_exercise_3_hexagons_cover_less_than_discs(edited, programs, draw):
         assert covered(changed) / discs == pytest.approx(7 / 8, abs=0.02)
 
 
-def test_exercise_4_flakes_warm_up_on_their_way(edited, draw):
+def test_exercise_4_flakes_warm_up_on_their_way(edited):
     with edited(f"{STEP}/solutions/4.patch") as changed:
         red, _, blue = numpy.moveaxis(draw(changed, *SNOW), 2, 0)
     warmth = red - blue
@@ -53,7 +47,7 @@ def test_exercise_4_flakes_warm_up_on_their_way(edited, draw):
 
 
 @pytest.mark.parametrize("distance, times", [(5, 3.9), (60, 1.2)])
-def test_exercise_5_a_window_twice_as_large(programs, draw, distance, times):
+def test_exercise_5_a_window_twice_as_large(programs, distance, times):
     def touched(size):
         shown = ["--timelapse", 30, "--frames", 40, "--size", size, "--camera", f"41,15,{distance}"]
         return (draw(programs, *shown, "--particles", 1000)
@@ -61,7 +55,7 @@ def test_exercise_5_a_window_twice_as_large(programs, draw, distance, times):
     assert touched("1280x720") / touched("640x360") == pytest.approx(times, abs=0.1)
 
 
-def test_exercise_6_depth_of_field(edited, programs, draw):
+def test_exercise_6_depth_of_field(edited, programs):
     """As much light on three times the pixels."""
     empty = draw(programs, *SNOW, "--particles", 0)
 

@@ -3,28 +3,21 @@
 import numpy
 import pytest
 
-from pictures import read
+from pictures import Camera
 
-HALF_VIEW = 0.82 / 2  # radians, from the middle of the window to its upper edge
-HEIGHT = 540
+SIZE = 960, 540
 
 
 @pytest.mark.parametrize("distance", [10, 20, 40])  # m, of the camera from the middle
 def test_a_sprite_is_as_wide_as_its_flake_looks(programs, tmp_path, distance):
     """A disc of 1 m around the one flake there is; at its edge it is too faint to be seen."""
     def draw(particles):
-        programs.run_well("step03_shader_points", "--size", f"960x{HEIGHT}", "--particles", particles,
-                          "--timelapse", 100, "--frames", 9, "--set", "diameter_1=1", "--set", "variation=0",
-                          "--camera", f"40,10,{distance}", "--screenshot", tmp_path / "flake.png",
-                          "--dump", tmp_path / "flake.csv")
-        return read(tmp_path / "flake.png")
+        return programs.picture("step03_shader_points", "--size", "%dx%d" % SIZE, "--particles", particles,
+                                "--timelapse", 100, "--frames", 9, "--set", "diameter_1=1", "--set", "variation=0",
+                                "--camera", f"40,10,{distance}", "--dump", tmp_path / "flake.csv")
     change = abs(draw(0) - draw(1)).max(axis=2) > 0
     place = numpy.loadtxt(tmp_path / "flake.csv", delimiter=",", skiprows=1)[1:4]
-    azimuth, elevation = numpy.radians((40, 10))
-    back = numpy.array([numpy.cos(elevation) * numpy.sin(azimuth), numpy.sin(elevation),
-                        numpy.cos(elevation) * numpy.cos(azimuth)])
-    away = distance - (place - (0, 1.6, 0)) @ back
     width, = numpy.ptp(numpy.nonzero(change.any(axis=0)), axis=1) + 1
     # 1 pixel either way: which pixels a disc covers depends on where in a pixel its middle is; and
     # of its opacity, 1 - radius^2, the last 255th is lost: 0.2 % of the width.
-    assert width == pytest.approx(HEIGHT / 2 / numpy.tan(HALF_VIEW) / away, abs=1.5)
+    assert width == pytest.approx(Camera(40, 10, distance, SIZE).scale(place), abs=1.5)

@@ -4,10 +4,9 @@ import numpy
 import pytest
 
 from conftest import SMALL, STEPS, VARIANTS, Flakes
-from pictures import read
 
 STEP = "step04_transform_feedback"
-LANDED = ["--frames", 900]  # 15 s: flakes have landed, melted and been born again
+LANDED = ["--timelapse", 100, "--frames", 9]  # 15 s: flakes have landed, melted and been born again
 FIELDS = ["position", "age", "velocity", "rest"]
 
 
@@ -67,9 +66,7 @@ def test_exercise_4_half_a_buffer(programs, edited, tmp_path):
 def test_exercise_5_streaks(programs, edited, tmp_path):
     def size_of_dots(there):
         """Of what is bright, which the ground is not: mean length of a run of pixels, downwards and across."""
-        path = tmp_path / "rain.png"
-        there.run_well(STEP, "--weather", "rain", "--size", "640x360", *LANDED, "--screenshot", path)
-        bright = read(path).min(axis=2) > 100
+        bright = there.picture(STEP, "--weather", "rain", "--size", "640x360", *LANDED).min(axis=2) > 100
         starts = [bright[1:] & ~bright[:-1], bright[:, 1:] & ~bright[:, :-1]]
         return [bright.sum() / start.sum() for start in starts]
 

@@ -4,27 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "common/bindings.glsl"
-#include "common/harness/harness.hpp"
 #include "common/program.hpp"
-#include "common/window.hpp"
-
-namespace {
-
-CommandLine command()
-{
-    std::vector<std::string> words = {"ledger_test", "--size", "64x64"};
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    return parse_command_line(int(argv.size()), argv.data(),
-                              {.name = "ledger_test",
-                               .idea = "a test",
-                               .minimum_gl = 4.3,
-                               .variants = {{"voxels", nullptr}}});
-}
+#include "tests/common/harness/small_window.hpp"
 
 TEST(Ledger, CountsOnWhereAWordIsFull)
 {
-    const Harness window{command()};
+    const Harness window{small_window(4.3)};
     const Ledger ledger;
     ledger.bind();
     // Each number stands some counts before the end of its low word, or of its third.
@@ -47,5 +32,3 @@ TEST(Ledger, CountsOnWhereAWordIsFull)
                   " + melted " + std::to_string(before[2] + 640) + " + left " +
                   std::to_string(before[3] + 640) + "\n");
 }
-
-}  // namespace

@@ -1,8 +1,5 @@
 // Step 5 on the CPU, without a window: the same options, the same physics, the same walk through
 // the voxels, written as plainly as can be. test_collision.py compares its dump with the program's.
-// Leaves the voxels, too, in the file of the dump's name with ".voxels" behind it: origin (3
-// floats, m), edge (float, m), resolution (int), and the words of 32 bits.
-#include <fstream>
 #include <iostream>
 
 #include "common/harness/options.hpp"
@@ -20,6 +17,7 @@ bool solid(ivec3 cell)
 }
 
 #include "step05_collision/voxel_walk.glsl"
+
 #include "step05_collision/open_sky.glsl"
 
 Particle one_step(const Particle& old, uint index, uint step, const Weather& weather)
@@ -55,15 +53,6 @@ try {
         }
     }
     write_dump(options.dump, flakes);
-
-    std::ofstream file(options.dump.string() + ".voxels", std::ios::binary);
-    const auto write = [&](const void* data, size_t bytes) {
-        file.write(static_cast<const char*>(data), std::streamsize(bytes));
-    };
-    write(&snow::grid.origin, sizeof snow::grid.origin);
-    write(&snow::grid.cell_size, sizeof snow::grid.cell_size);
-    write(&snow::grid.resolution, sizeof snow::grid.resolution);
-    write(snow::grid.words.data(), 4 * snow::grid.words.size());
     return 0;
 } catch (const std::exception& failure) {
     std::cerr << failure.what() << std::endl;

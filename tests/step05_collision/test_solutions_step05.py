@@ -9,7 +9,7 @@ from conftest import SMALL, Flakes
 from pictures import read
 
 STEP = "step05_collision"
-LANDED = ["--frames", 900]
+LANDED = ["--timelapse", 100, "--frames", 9]
 FINE = [*LANDED, "--voxels", 256]
 
 

@@ -2,33 +2,25 @@
 
 import pytest
 
-from conftest import SMALL
-from pictures import read
-from reports import Cover, check_sums, cover_sums, ledger
+from reports import let_it_snow
 
 STEP = "step06_accumulation"
 HOUR = ["--variant", "cells", "--timelapse", 120, "--frames", 30, "--voxels", 128]  # a minute, in fact
 NEAR = ["--variant", "cells", "--timelapse", 60, "--frames", 30, "--size", "640x360", "--camera", "41,15,8"]
 
 
-@pytest.fixture
-def accumulate(tmp_path):
+def accumulate(there, *arguments):
     """Lets it snow for a minute: the cover, and the masses that lie, have melted, were deposited."""
-    def accumulate(there, *arguments):
-        path = tmp_path / "cover.csv"
-        result = there.run_well(STEP, *SMALL, *HOUR, *arguments, "--dump-cover", path)
-        cover, sums = Cover(path), cover_sums(result.stdout)
-        check_sums(ledger(result.stdout), cover, sums)
-        return cover, sums
-    return accumulate
+    _, cover, sums = let_it_snow(there, *HOUR, *arguments)
+    return cover, sums
 
 
-def test_exercise_1_ten_times_the_flakes(programs, accumulate):
+def test_exercise_1_ten_times_the_flakes(programs):
     few, many = [accumulate(programs, "--particles", number)[1][2] for number in (2000, 20000)]
     assert few == pytest.approx(many, rel=0.02)
 
 
-def test_exercise_2_mounds(programs, accumulate):
+def test_exercise_2_mounds(programs):
     def depths(repose):
         """Mean depth over the first table, of the columns with snow there, and on open ground, m."""
         cover, _ = accumulate(programs, "--set", "snowfall=0.6", "--set", f"repose={repose}")
@@ -45,26 +37,21 @@ def test_exercise_2_mounds(programs, accumulate):
     assert ground_then == pytest.approx(ground_now, rel=0.1)
 
 
-def test_exercise_3_thaw(programs, accumulate):
-    _, (lying, melted, deposited) = accumulate(programs, "--set", "temperature=5")
-    assert lying + melted == deposited
+def test_exercise_3_thaw(programs):
+    _, (_, melted, deposited) = accumulate(programs, "--set", "temperature=5")
     assert 0.4 < melted / deposited < 0.6
 
 
-def test_exercise_4_contour_lines(programs, edited, tmp_path):
-    def picture(there):
-        there.run_well(STEP, *NEAR, "--screenshot", tmp_path / "snow.png")
-        return read(tmp_path / "snow.png").sum(axis=2)
-
+def test_exercise_4_contour_lines(programs, edited):
     with edited(f"{STEP}/solutions/4.patch") as there:
-        lines = picture(there)
-    change = lines - picture(programs)
+        lines = there.picture(STEP, *NEAR)
+    change = (lines - programs.picture(STEP, *NEAR)).sum(axis=2)
     assert 0.03 < (change < -60).mean() < 0.3
     # A flake may land elsewhere from run to run, and with it what is bright: but for these, no pixel is brighter.
     assert (change > 60).mean() < 0.005
 
 
-def test_exercise_5_snow_line(programs, edited, accumulate):
+def test_exercise_5_snow_line(programs, edited):
     def high_and_low(there, temperature):
         cover, _ = accumulate(there, "--set", f"temperature={temperature}")
         y = cover.place[:, 1]
@@ -77,7 +64,7 @@ def test_exercise_5_snow_line(programs, edited, accumulate):
     assert 0.4 < low / low_in_frost < 0.6
 
 
-def test_exercise_6_a_path_is_kept_clear(edited, accumulate):
+def test_exercise_6_a_path_is_kept_clear(edited):
     with edited(f"{STEP}/solutions/6.patch", build=STEP) as there:
         cover, (_, melted, _) = accumulate(there)
     assert melted == 0

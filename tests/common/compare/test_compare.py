@@ -16,16 +16,13 @@ from conftest import PATIENCE, ROOT, STEPS
 
 COMPARE = ROOT / "common" / "compare" / "compare.py"
 sys.path.insert(0, str(COMPARE.parent))
+from experiments import EXPERIMENTS  # noqa: E402
 from points import Point, ratio  # noqa: E402
-
-EXPERIMENTS = ("loops hexagons threads arrays physics window-size point-size release-rate groups "
-               "timing-methods yardstick flakes-fixed-scene update-alone scene-triangles stage-share "
-               "spawn-rate feedback-or-compute voxeliser parts").split()
 
 # Stands in for a program. Its frame times follow from its arguments, what it does from the file
 # NAME.does beside it; it writes down each start in the file "starts".
 FAKE = f"#!{sys.executable}\n" + r'''
-import argparse, os, pathlib, signal, sys, time
+import argparse, pathlib, sys, time
 me = pathlib.Path(sys.argv[0])
 parser = argparse.ArgumentParser(formatter_class=argparse.RawDescriptionHelpFormatter, epilog="""
   wind_x        0 m/s, wind towards +x
@@ -42,29 +39,22 @@ does_file = me.with_name(me.name + ".does")
 does = does_file.read_text() if does_file.exists() else ""
 if does == "refuse":
     sys.exit(f"{me.name}: no such luck\nand more of it")
-if does == "crash":
-    os.kill(os.getpid(), signal.SIGSEGV)
 if does == "hang":
     me.with_name("hanging").touch()
     time.sleep(600)
-renderer = "llvmpipe (LLVM 15, 256 bits)" if does != "hardware" else "Card, fast/PCIe"
 width, height = options.size.split("x")
 step = int(me.name[4:6])
 frame_ms = step * (1 + int(options.particles)) / 1000 - 4 * ("fog=0" in options.set)
-known = f'{me.name},{options.variant or "plain"},{options.particles},{width},{height},"{renderer}"'
+known = f'{me.name},{options.variant or "plain"},{options.particles},{width},{height},"llvmpipe (LLVM 15, 256 bits)"'
 with open(options.csv, "w") as file:
-    if does == "words":
-        sys.exit(file.write("soon\n") and 0)
     file.write("step,variant,particles,width,height,renderer,frame,frame_ms,timing,"
                "update_cpu_ms,update_gpu_ms,draw_cpu_ms,draw_gpu_ms\n")
     if does == "empty":
         sys.exit()
-    if does != "hardware":
-        for frame in range(3):  # slow frames, and not to be counted
-            file.write(f"{known},{frame},{100 * frame_ms},finish,0.01,0.25,0.02,0.75\n")
+    for frame in range(3):  # slow frames, and not to be counted
+        file.write(f"{known},{frame},{100 * frame_ms},finish,0.01,0.25,0.02,0.75\n")
     for frame in range(int(options.frames)):
-        gpu = "0.5" if does == "hardware" else ""
-        file.write(f"{known},{frame},{frame_ms + frame},query,0.126,{gpu},0.376,{gpu}\n")
+        file.write(f"{known},{frame},{frame_ms + frame},query,0.126,,0.376,\n")
 '''
 
 
@@ -116,7 +106,7 @@ def drifting(generator, programs, repeats):
     return [Point("", "", times, 0, {}) for times in medians]
 
 
-@pytest.mark.parametrize("repeats", [2, 3, 5, 10])
+@pytest.mark.parametrize("repeats", [2, 3, 10])
 def test_one_program_does_not_differ_from_itself(repeats):
     """In 19 of 20 trials, that is."""
     generator = random.Random(1)
@@ -149,19 +139,11 @@ def test_numbers(fakes):
             "| update 0.25, draw 0.75 |") in page(fakes)
     # Every second repeat runs backwards; the first start asks what renders.
     starts = (fakes / "starts").read_text().splitlines()[1:]
-    assert starts[14:] == starts[13::-1] and starts[0] == "step01_cpu_points 999"
-
-
-def test_processors_apart_on_a_graphics_card(fakes):
-    (fakes / STEPS[0]).with_suffix(".does").write_text("hardware")
-    assert compare(fakes, "--steps", 1, "--counts", 10, "--frames", 3).returncode == 0
-    assert "- Card, fast/PCIe; " in page(fakes)
-    assert "CPU: update 0.13, draw 0.38; GPU: update 0.50, draw 0.50" in page(fakes)
+    assert starts[16:] == starts[15::-1] and starts[0] == "step01_cpu_points 999"
 
 
 @pytest.mark.parametrize("does, says", [
-    ("refuse", "failed: step02_vbo: no such luck"), ("crash", "failed: exit status -11"),
-    ("words", "failed: no times: "), ("empty", "failed: no times: "),
+    ("refuse", "failed: step02_vbo: no such luck"), ("empty", "failed: no times: "),
     ("hang", "failed: stopped after 5.0 s")])
 def test_the_rest_go_on(fakes, does, says):
     (fakes / "step02_vbo.does").write_text(does)
@@ -173,11 +155,6 @@ def test_the_rest_go_on(fakes, does, says):
                                                          "1 cpu_points"]
     # What failed once is not tried again.
     assert (fakes / "starts").read_text().count("step02_vbo") == 1
-
-
-def test_nothing_is_built(tmp_path):
-    result = compare(tmp_path / "no such build")
-    assert result.returncode == 1 and "common/run.sh" in result.stderr
 
 
 def test_ctrl_c_keeps_what_was_measured(fakes):
@@ -197,12 +174,6 @@ def test_ctrl_c_keeps_what_was_measured(fakes):
     assert "ended by Ctrl-C in repeat 1 of 3" in page(fakes)
 
 
-@pytest.mark.parametrize("arguments", [["--steps", "9"], ["--experiment", "groups", "--counts", "10"]])
-def test_a_wrong_command_line(fakes, arguments):
-    assert compare(fakes, *arguments).returncode == 2
-    assert not (fakes / "starts").exists()
-
-
 def test_parts_turns_on_all_that_it_measures(fakes):
     assert compare(fakes, "--experiment", "parts", "--counts", 999, "--frames", 1).returncode == 0
     rows = {row["line"]: row for row in frames_of(fakes, "parts")}
@@ -212,7 +183,6 @@ def test_parts_turns_on_all_that_it_measures(fakes):
         "without arrows": ("--set fog=1 --set arrows=0 --set bloom=0.06", 6),
         "without bloom": ("--set fog=1 --set arrows=1 --set bloom=0", 6)}
     assert "without fog 2.00 ms, 0.333 times as much (0.333 to 0.333); without" in page(fakes, "parts")
-    assert "without arrows 6.00 ms, cannot tell (1 to 1)" in page(fakes, "parts")
 
 
 def test_merge_has_the_same_numbers(fakes):
@@ -234,20 +204,13 @@ def test_merge_has_the_same_numbers(fakes):
     tables[1].write_text(tables[1].read_text().replace("compare,", "loops,"))
     result = compare(fakes, "--merge", *tables)
     assert result.returncode == 1 and "of one experiment, not of compare, loops" in result.stderr
-    tables[1].write_text("luck\n")
-    result = compare(fakes, "--merge", *tables)
-    assert result.returncode == 1 and "b/compare.csv is no table of this compare.py" in result.stderr
 
 
-def test_list(fakes):
-    listed = compare(fakes, "--list").stdout
-    assert [line.split()[0] for line in listed.splitlines()[::2]] == EXPERIMENTS
-
-
-@pytest.mark.parametrize("experiment", ["compare", *EXPERIMENTS])
+# Without the one above, which would start step 6 for each of its features.
+@pytest.mark.parametrize("experiment", [name for name in EXPERIMENTS if name != "parts"])
 def test_the_experiments(request, tmp_path, experiment):
     # Or they take the longest by far.
-    few = ["--counts", 50] if experiment in ("compare", "parts", "threads", "feedback-or-compute") else []
+    few = ["--counts", 50] if experiment in ("compare", "threads", "feedback-or-compute") else []
     build = request.config.getoption("build").resolve()
     result = compare(build, "--experiment", experiment, "--frames", 1, "--warmup", 2, "--repeats", 1,
                      "--size", "64x64", "--out", tmp_path, *few)

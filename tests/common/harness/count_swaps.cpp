@@ -1,6 +1,7 @@
 // Loaded into a program with LD_PRELOAD, counts the frames that it shows and leaves their number in
 // the file that SWAPS_FILE names. SWAPS_LOAD, "first last ms others", makes those frames take so
-// much longer, and all others so much.
+// much longer, and all others so much. SWAPS_LOSE takes the program's OpenGL context away after
+// the third frame: as if the driver had been reset, or the window had been closed under it.
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -32,7 +33,8 @@ struct Load {
 
 }  // namespace
 
-// Stands in the way of GLX's own function. Both arguments pass through unseen: a pointer and an id.
+// Stands in the way of GLX's own function, whose arguments pass through unseen: a pointer and an
+// id.
 extern "C" void glXSwapBuffers(void* display, unsigned long drawable)
 {
     using Function = void (*)(void*, unsigned long);
@@ -42,4 +44,8 @@ extern "C" void glXSwapBuffers(void* display, unsigned long drawable)
     const long wait = loaded ? load.milliseconds : load.others;
     if (wait > 0) std::this_thread::sleep_for(std::chrono::milliseconds(wait));
     original(display, drawable);
+    if (count.swaps == 3 && std::getenv("SWAPS_LOSE")) {
+        using Release = int (*)(void*, unsigned long, void*);
+        reinterpret_cast<Release>(dlsym(RTLD_NEXT, "glXMakeCurrent"))(display, 0, nullptr);
+    }
 }

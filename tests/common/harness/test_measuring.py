@@ -15,35 +15,18 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-SWITCHED_OFF = ["arrows", "sort", "bloom"]  # until a key or --set turns them on
-
-
-def stages_of(step, variant):
-    """As its source names them, from top to bottom: a file of its own, if it has one, and then what
-    belongs to it in a folder of that name."""
-    folder = ROOT / step
-    page = folder / f"{variant}.cpp"
-    pages = [page if page.exists() else folder / "main.cpp", folder / variant / f"{variant}.cpp"]
-    text = "".join(page.read_text() for page in pages if page.exists())
-    names = re.findall(r'window\.stage\("(\w+)"\)', text)
-    if variant == "arrays":  # which has no buffer to upload to
-        names.remove("upload")
-    return [name for name in names if name not in SWITCHED_OFF]
-
-
 @pytest.mark.only_software("a synchronised pass, as its queries can read 0")
 @pytest.mark.parametrize("step, variant", STEP_VARIANTS)
 def test_csv_has_a_row_for_every_frame(programs, tmp_path, step, variant):
-    path = tmp_path / "times.csv"
-    result = programs.run_well(step, *small(step), *BENCHMARK, "--variant", variant, "--csv", path)
+    path, dump = tmp_path / "times.csv", tmp_path / "flakes.csv"
+    result = programs.run_well(step, *small(step), *BENCHMARK, "--variant", variant, "--csv", path, "--dump", dump)
+    # And measuring changes nothing.
+    assert dump.read_bytes() == programs.dump(step, "--variant", variant, *BENCHMARK[1:])
     rows = read(path)
-    columns = ["step", "variant", "particles", "width", "height", "renderer", "frame", "frame_ms",
-               "timing"]
-    assert stages_of(step, variant)[0] == "update"
-    assert stages_of(step, variant)[-1] == ("tone" if variant == "winter" else "draw")
-    for stage in stages_of(step, variant):
-        columns += [f"{stage}_cpu_ms", f"{stage}_gpu_ms"]
-    assert list(rows[0]) == columns
+    stages = [column.removesuffix("_cpu_ms") for column in rows[0] if column.endswith("_cpu_ms")]
+    assert (stages[0], stages[-1]) == ("update", "tone" if variant == "winter" else "draw")
+    assert list(rows[0]) == ["step", "variant", "particles", "width", "height", "renderer", "frame", "frame_ms",
+                             "timing", *(f"{stage}_{which}_ms" for stage in stages for which in ("cpu", "gpu"))]
     counted = [row for row in rows if row["timing"] == "query"]
     assert [int(row["frame"]) for row in counted] == list(range(12))
     # Mesa's software renderer: the second half of the warm-up is the synchronised pass.
@@ -51,25 +34,12 @@ def test_csv_has_a_row_for_every_frame(programs, tmp_path, step, variant):
     for row in rows:
         assert (row["step"], row["variant"]) == (step, variant)
         assert (row["particles"], row["width"], row["height"]) == ("500", "64", "64")
-        assert "llvmpipe" in row["renderer"]
-        stages = [float(row[f"{stage}_cpu_ms"]) for stage in stages_of(step, variant)]
-        assert all(time >= 0 for time in stages)
-        assert sum(stages) <= float(row["frame_ms"])  # what is timed lies within the frame
+        times = [float(row[f"{stage}_cpu_ms"]) for stage in stages]
+        assert min(times) >= 0 and sum(times) <= float(row["frame_ms"])  # what is timed lies within the frame
     assert "benchmark: 12 frames" in result.stdout
-    assert "vsync off" in result.stdout
 
 
-@pytest.mark.parametrize("step,variant", STEP_VARIANTS)
-def test_measuring_changes_nothing(programs, tmp_path, step, variant):
-    plain = programs.dump(step, "--variant", variant, "--frames", 12, "--warmup", 6,
-                          "--particles", 500)
-    path = tmp_path / "flakes.csv"
-    programs.run_well(step, *small(step), *BENCHMARK, "--variant", variant,
-                      "--csv", tmp_path / "times.csv", "--dump", path)
-    assert path.read_bytes() == plain
-
-
-@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("step", [STEPS[0], STEPS[3], STEPS[-1]])
 def test_a_warm_up_ends_where_as_many_frames_would(programs, tmp_path, step):
     """All but its last frames are time lapse; what counts is the same snow."""
     run = [step, "--particles", 500]
@@ -85,8 +55,3 @@ def test_programs_and_comparison_know_the_same_software_renderers():
     lists = [re.search(r"llvmpipe.*?basic render", text, re.DOTALL)[0] for text in files]
     first, second = [set(re.findall(r"[a-z][a-z ]*", names)) for names in lists]
     assert first == second and len(first) > 5
-
-
-def test_a_benchmark_does_not_wait_for_the_display(programs):
-    result = programs.run("step01_cpu_points", "--benchmark", "--vsync")
-    assert result.returncode == 2 and "--vsync" in result.stderr

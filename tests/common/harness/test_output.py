@@ -20,14 +20,10 @@ def limit_file_size():
 
 
 @pytest.mark.parametrize("option", ["--dump", "--screenshot", "--csv", "--record"])
-@pytest.mark.parametrize("where", ["no/such/folder/file", "folder", "file/file"])
-def test_what_cannot_be_written_is_refused_at_once(programs, option, where, tmp_path):
-    """--record makes its folder."""
-    (tmp_path / "folder").mkdir()
+def test_what_cannot_be_written_is_refused_at_once(programs, option, tmp_path):
     (tmp_path / "file").write_text("old")
-    result = programs.run(STEP, *FEW, option, tmp_path / where, environment={"DISPLAY": None})
-    refused = fails_with_one_line(result, 1, "cannot write", tmp_path / where)
-    assert refused == (option != "--record" or where == "file/file")
+    result = programs.run(STEP, *FEW, option, tmp_path / "file/file", environment={"DISPLAY": None})
+    assert fails_with_one_line(result, 1, "cannot write", tmp_path / "file/file")
 
 
 def test_dump_to_a_pipe(programs):
@@ -59,7 +55,7 @@ def takes(process, number):
     return caught >> (number - 1) & 1
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGHUP])
 def test_interrupted_it_leaves_what_was_computed(programs, tmp_path, number):
     """As closing the window does, and says that it was cut short."""
     process = start(programs, tmp_path, STEP, *SMALL, "--particles", 100, "--benchmark", "--warmup", 0,
@@ -73,15 +69,7 @@ def test_interrupted_it_leaves_what_was_computed(programs, tmp_path, number):
     assert (tmp_path / "times.csv").exists()
 
 
-def test_before_the_first_frame_it_is_interrupted_at_once(programs, tmp_path):
-    """While the scene is made into voxels, which takes a second or more."""
-    process = start(programs, tmp_path, "step05_collision", *SMALL, "--voxels", 1024, "--frames", 1)
-    process.send_signal(signal.SIGINT)
-    process.communicate(timeout=PATIENCE)
-    assert process.returncode == -signal.SIGINT
-
-
-@pytest.mark.parametrize("step", STEPS)
+@pytest.mark.parametrize("step", [STEPS[0], STEPS[3], STEPS[-1]])
 def test_escape_is_answered_however_many_steps_a_frame_makes(programs, tmp_path, step):
     """A thousand steps of 200,000 flakes take minutes in one frame. (Sent as a signal: it is seen where
     keys are.)"""
@@ -89,7 +77,7 @@ def test_escape_is_answered_however_many_steps_a_frame_makes(programs, tmp_path,
                     "--frames", 1000)
     wait_until(lambda: takes(process, signal.SIGTERM), "the frames to begin")
     process.send_signal(signal.SIGTERM)
-    # A tenth of the time that the frame would take here; the machine may be busy.
+    # A tenth of the time that the frame would take.
     process.communicate(timeout=PATIENCE / 10)
     assert process.returncode == 0
 

@@ -3,10 +3,7 @@
 import pytest
 
 import scenes
-from conftest import SMALL
-from reports import Cover, check_sums, cover_sums, ledger
-
-STEP = "step06_accumulation"
+from reports import let_it_snow
 
 
 @pytest.fixture
@@ -16,11 +13,8 @@ def snow(programs, tmp_path):
         path = tmp_path / "scene.obj"
         path.write_text(scene)
         where = ["--scene", path if scene else "none"]
-        result = programs.run_well(STEP, *SMALL, *where, "--variant", variant, "--voxels", 64, "--particles", 3000,
-                                   "--timelapse", 60, *arguments, "--dump-cover", tmp_path / "cover.csv",
-                                   environment={"LP_NUM_THREADS": "1"})
-        entries, cover = ledger(result.stdout), Cover(tmp_path / "cover.csv")
-        check_sums(entries, cover, cover_sums(result.stdout))
+        entries, cover, _ = let_it_snow(programs, *where, "--variant", variant, "--voxels", 64, "--particles", 3000,
+                                        "--timelapse", 60, *arguments, environment={"LP_NUM_THREADS": "1"})
         return entries, cover
     return snow
 
@@ -32,13 +26,10 @@ def test_on_an_open_plain_both_lay_down_the_same_mass_to_the_unit(snow):
     assert cells.mass.sum() == heights.mass.sum() > 0
 
 
-def test_on_the_courtyard_both_lay_down_as_much(programs, tmp_path):
+def test_on_the_courtyard_both_lay_down_as_much(programs):
     """In calm air. A twig or a gap may be a cell in one and air in the other: 2 %."""
-    sums = []
-    for variant in ("cells", "heightmap"):
-        said = programs.run_well(STEP, *SMALL, "--variant", variant, "--voxels", 128, "--particles", 6000,
-                                 "--timelapse", 120, "--frames", 20).stdout
-        sums.append(cover_sums(said)[2])
+    sums = [let_it_snow(programs, "--variant", variant, "--voxels", 128, "--particles", 6000, "--timelapse", 120,
+                        "--frames", 20)[2][2] for variant in ("cells", "heightmap")]
     assert sums[1] == pytest.approx(sums[0], rel=0.02)
 
 

@@ -49,19 +49,6 @@ struct Simulation {
         return shares[i];
     }
 
-    // How often the share has turned from growing to shrinking or back.
-    int turns(double begin, double end) const
-    {
-        int count = 0, direction = 0;
-        for (size_t i = 1; i < times.size(); ++i) {
-            if (times[i] < begin || times[i] >= end || shares[i] == shares[i - 1]) continue;
-            const int now = shares[i] > shares[i - 1] ? 1 : -1;
-            count += direction != 0 && now != direction;
-            direction = now;
-        }
-        return count;
-    }
-
     // The largest share over the smallest.
     double swing(double begin, double end) const
     {
@@ -83,18 +70,13 @@ std::vector<Simulation> programs()
 
 }  // namespace
 
-TEST(FlakeBudget, LeavesTheFlakesAloneUnlessAsked)
+TEST(FlakeBudget, KeepsAllFlakesUnlessAskedAndWhereThereIsTimeForThem)
 {
-    Simulation slow{0.1, 0.4, 0.1};
+    Simulation slow{0.1, 0.4, 0.1}, fast{0.001, 0.002, 0.001};
     slow.run(20, 0);
-    EXPECT_EQ(slow.budget.share(), 1);
-}
-
-TEST(FlakeBudget, KeepsAllFlakesWhereThereIsTimeForThem)
-{
-    Simulation fast{0.001, 0.002, 0.001};
     fast.run(20, 60);
-    EXPECT_EQ(*std::min_element(fast.shares.begin(), fast.shares.end()), 1);
+    for (const Simulation& program : {slow, fast})
+        EXPECT_EQ(*std::min_element(program.shares.begin(), program.shares.end()), 1);
 }
 
 TEST(FlakeBudget, GivesWayToALoadWithinTwoSecondsAndRecovers)
@@ -110,22 +92,12 @@ TEST(FlakeBudget, GivesWayToALoadWithinTwoSecondsAndRecovers)
         EXPECT_GT(program.mean_fps(30, 40), 0.85 * double(fps)) << program.update;
         program.run(20, fps);
         EXPECT_GT(program.share_at(55), 0.85 * before) << program.update;
-        for (const double steady : {10, 30, 50}) {
-            EXPECT_LE(program.turns(steady, steady + 10), 6) << program.update << " " << steady;
+        for (const double steady : {10, 30, 50})
             EXPECT_LT(program.swing(steady, steady + 10), 1.3) << program.update << " " << steady;
-        }
-    }
-}
-
-TEST(FlakeBudget, DoesNotChangeByMuchAtATime)
-{
-    for (Simulation& program : programs()) {
-        for (const double load : {0.0, 0.1, 0.0}) program.run(10, 40, load);
         for (size_t i = 1; i < program.shares.size(); ++i) {
             EXPECT_LT(program.shares[i], 1.25 * program.shares[i - 1]);
             EXPECT_GT(program.shares[i], 0.55 * program.shares[i - 1]);
         }
-        EXPECT_GE(program.budget.share(), 0.01f);
     }
 }
 
@@ -139,13 +111,4 @@ TEST(FlakeBudget, OverlooksAHitchAndAPause)
     EXPECT_NEAR(program.budget.share(), before, 0.1f * before);
     for (int i = 0; i < 1000; ++i) program.budget.frame(0.001, 0, 60, 1);
     EXPECT_NEAR(program.budget.share(), before, 0.1f * before);
-}
-
-TEST(FlakeBudget, LeavesFlakesOfBothClouds)
-{
-    for (const unsigned particles : {0u, 1u, 2u, 3u, 20001u}) {
-        const LiveFlakes live(particles, 1);
-        EXPECT_EQ(unsigned(live.count[0] + live.count[1]), particles);
-        EXPECT_EQ(live.weight(), 1);
-    }
 }

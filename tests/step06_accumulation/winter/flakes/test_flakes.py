@@ -1,16 +1,16 @@
 """How step 6 draws and weighs its flakes: where they are, as bright as they should be, as heavy as large."""
 
 import numpy
-import PIL.Image
 import pytest
 
 import scenes
-from conftest import SMALL, Flakes
-from reports import Cover, cover_sums, ledger
+from conftest import Flakes
+from pictures import Camera
+from reports import let_it_snow
 
 STEP = "step06_accumulation"
-WIDTH, HEIGHT = 480, 270
-AZIMUTH, ELEVATION, DISTANCE = 40, 5, 30  # degrees, degrees, m: all flakes are in the picture
+SIZE = WIDTH, HEIGHT = 480, 270
+CAMERA = Camera(40, 5, 30, SIZE)  # all flakes are in the picture
 
 
 def steps(count):
@@ -23,24 +23,11 @@ def steps(count):
 def draw(programs, tmp_path):
     """The picture of an empty plain in the snow, as numbers from 0 to 255, and the flakes in it."""
     def draw(*arguments):
-        programs.run_well(STEP, "--size", f"{WIDTH}x{HEIGHT}", "--scene", "none", "--voxels", 32,
-                          "--camera", f"{AZIMUTH},{ELEVATION},{DISTANCE}", "--set", "bloom=0", *arguments,
-                          "--screenshot", tmp_path / "flakes.png", "--dump", tmp_path / "flakes.csv")
-        picture = PIL.Image.open(tmp_path / "flakes.png").convert("RGB")
-        return numpy.asarray(picture).astype(int), Flakes(tmp_path / "flakes.csv")
+        picture = programs.picture(STEP, "--size", f"{WIDTH}x{HEIGHT}", "--scene", "none", "--voxels", 32,
+                                   "--camera", "40,5,30", "--set", "bloom=0", *arguments,
+                                   "--dump", tmp_path / "flakes.csv")
+        return picture, Flakes(tmp_path / "flakes.csv")
     return draw
-
-
-def seen_from_camera(points):
-    """Where these points are in the picture, x and y in pixels, and how many pixels a metre is there."""
-    azimuth, elevation, half_view = numpy.radians(AZIMUTH), numpy.radians(ELEVATION), 0.82 / 2
-    back = numpy.array([numpy.cos(elevation) * numpy.sin(azimuth), numpy.sin(elevation),
-                        numpy.cos(elevation) * numpy.cos(azimuth)])
-    right = numpy.array([numpy.cos(azimuth), 0, -numpy.sin(azimuth)])
-    from_eye = points - ((0, 1.6, 0) + DISTANCE * back)
-    scale = HEIGHT / 2 / numpy.tan(half_view) / -(from_eye @ back)
-    return numpy.stack([WIDTH / 2 + scale * (from_eye @ right),
-                        HEIGHT / 2 - scale * (from_eye @ numpy.cross(back, right))], axis=1), scale
 
 
 def near(places, radius):
@@ -65,11 +52,11 @@ def test_billboards_are_where_the_flakes_are(draw):
     picture, flakes = draw("--particles", 12, *shared)
     empty, _ = draw("--particles", 0, *shared)
     changed = abs(picture - empty).max(axis=2)
-    places, _ = seen_from_camera(flakes.position[flakes.airborne])
+    places = CAMERA.pixels(flakes.position[flakes.airborne])
     assert len(places) >= 4
     for place in places:
         assert changed[near([place], 1)].max() > 8
-    places, _ = seen_from_camera(flakes.position[flakes.age >= 0])
+    places = CAMERA.pixels(flakes.position[flakes.age >= 0])
     assert changed[~near(places, 5)].max() <= 1
 
 
@@ -84,28 +71,12 @@ def test_brightness_does_not_depend_on_speed(draw):
                                           "--set", "speed_1=300"])):
         picture, flakes = draw(*steps(count), *speed, *shared)
         brightness = (radiance(picture) - radiance(picture[0, 0])).sum(axis=2)
-        _, scale = seen_from_camera(flakes.position[flakes.airborne])
+        scale = CAMERA.scale(flakes.position[flakes.airborne])
         light.append(brightness.sum() / (scale ** 2).sum())
         area.append((abs(picture - picture[0, 0]).sum(axis=2) > 6).sum() / flakes.airborne.sum())
     assert area[1] > 1.5 * area[0]
     # 0.05: a hundred flakes of some pixels scatter by 3 %, and fast ones hide each other a little more.
     assert light[1] == pytest.approx(light[0], rel=0.05)
-
-
-def test_drops_splash_where_they_come_down(draw):
-    shared = ["--weather", "rain", "--particles", 300, *steps(160),
-              "--set", "diameter_0=0.1", "--set", "diameter_1=0.1"]
-    empty, _ = draw("--weather", "rain", "--particles", 0, *steps(160))
-    dry, drops = draw(*shared, "--set", "splashes=0")
-    wet, _ = draw(*shared)
-    down, _ = seen_from_camera(drops.position[drops.rest > 0])
-    streaks, _ = seen_from_camera(drops.position[drops.airborne])
-    assert len(down) > 10
-    splashes = abs(wet - dry).max(axis=2)
-    assert (splashes > 4).sum() > len(down)
-    # Droplets fly 0.15 m far and 0.1 m high, less than 2 pixels, and are 2 pixels wide.
-    assert splashes[~near(down, 4)].max() == 0
-    assert abs(dry - empty).max(axis=2)[~near(streaks, 8)].max() == 0
 
 
 def test_hail_bounces(programs):
@@ -126,12 +97,10 @@ def deposit(programs, tmp_path):
     (tmp_path / "floor.obj").write_text(scenes.text(scenes.FLOOR))
 
     def deposit(count, *arguments):
-        result = programs.run_well(STEP, *SMALL, "--scene", tmp_path / "floor.obj", "--voxels", 64,
-                                   "--weather", "hail", *steps(count), "--set", "melt_time=0.3",
-                                   "--set", "settling=0", *arguments,
-                                   "--dump-cover", tmp_path / "cover.csv")
-        _, _, mass = cover_sums(result.stdout)
-        return mass, ledger(result.stdout)["deposited"], Cover(tmp_path / "cover.csv")
+        entries, cover, (_, _, mass) = let_it_snow(
+            programs, "--scene", tmp_path / "floor.obj", "--voxels", 64, "--weather", "hail", *steps(count),
+            "--set", "melt_time=0.3", "--set", "settling=0", *arguments)
+        return mass, entries["deposited"], cover
     return deposit
 
 

@@ -3,30 +3,24 @@
 import functools
 
 import numpy
-import PIL.Image
 import pytest
 
 import scenes
 
 STEP = "step06_accumulation"
-LAMP = ("mtllib lamp.mtl\n" + scenes.text(scenes.FLOOR) + "usemtl glass\n"
-        + scenes.text(scenes.box((-0.2, 1.5, -0.2), (0.2, 2, 0.2))))
-GLASS = "newmtl glass\nKd 0.9 0.9 0.9\nKe 1 0.7 0.4\n"
 
 
 @pytest.fixture(scope="module")
 def draw(programs, tmp_path_factory):
     """Draws a lamp at night, without flakes; each picture only once."""
     folder = tmp_path_factory.mktemp("post")
-    (folder / "lamp.mtl").write_text(GLASS)
-    (folder / "lamp.obj").write_text(LAMP)
+    (folder / "lamp.mtl").write_text(scenes.GLASS)
+    (folder / "lamp.obj").write_text(scenes.LAMP)
 
     @functools.lru_cache(maxsize=None)
     def draw(*words, size="320x180", height=-6):
-        programs.run_well(STEP, "--size", size, "--particles", 0, "--voxels", 64, "--frames", 1,
-                          "--scene", folder / "lamp.obj", "--set", "fog=0", "--set", f"sun_height={height}",
-                          *words, "--screenshot", folder / "picture.png")
-        return numpy.asarray(PIL.Image.open(folder / "picture.png").convert("RGB")).astype(int)
+        return programs.picture(STEP, "--size", size, "--particles", 0, "--voxels", 64, "--frames", 1, "--scene",
+                                folder / "lamp.obj", "--set", "fog=0", "--set", f"sun_height={height}", *words)
     return draw
 
 
@@ -44,7 +38,7 @@ def test_bright_things_glow(draw):
     assert abs(gain[away > 120].mean()) < 3
 
 
-@pytest.mark.parametrize("exposure", [0.1, 0.3, 1, 3, 10])
+@pytest.mark.parametrize("exposure", [0.1, 1, 10])
 def test_the_screen_shows_what_an_eye_answers(draw, exposure):
     """The curve and the screen's numbers, as exact as tone.glsl says, and half a level for rounding."""
     shown = draw("--set", "scene=0", "--set", "sky=0", "--set", "bloom=0", "--set", f"exposure={exposure}")
@@ -62,10 +56,8 @@ def test_glow_at_any_size(draw, size):
 
 def test_edges_are_smooth(draw):
     """The column of the lamp before the sky: with samples there are colours between the two."""
-    def colours(**multisample):
-        picture = draw("--set", f"multisample={multisample['on']}", "--set", "bloom=0", height=40)
-        return len(numpy.unique(picture.reshape(-1, 3), axis=0)), picture
-    (few, rough), (many, smooth) = colours(on=0), colours(on=1)
+    rough, smooth = (draw("--set", f"multisample={on}", "--set", "bloom=0", height=40) for on in (0, 1))
+    few, many = (len(numpy.unique(picture.reshape(-1, 3), axis=0)) for picture in (rough, smooth))
     changed = abs(rough - smooth).max(axis=2) > 8
     assert 20 < changed.sum() < 0.05 * changed.size  # along edges, and nowhere else
     assert many > few
@@ -83,12 +75,3 @@ def test_software_leaves_off_what_is_costly(programs):
     assert left_off("--set", "tessellation=1", "--set", "soft_shadows=1", "--set", "multisample=1",
                     "--set", "bloom=0.1") == []
     assert left_off("--variant", "cells") == []
-
-
-def test_flakes_alone_in_the_colour_of_their_cloud(programs, tmp_path):
-    programs.run_well(STEP, "--size", "320x180", "--voxels", 32, "--particles", 2000, "--timelapse", 60,
-                      "--frames", 10, "--set", "scene=0", "--set", "sky=0", "--set", "colours=3",
-                      "--set", "diameter_0=0.3", "--set", "diameter_1=0.3", "--screenshot", tmp_path / "art.png")
-    picture = numpy.asarray(PIL.Image.open(tmp_path / "art.png").convert("RGB")).astype(int)
-    red, blue = picture[..., 0], picture[..., 2]
-    assert (red > blue + 60).sum() > 100 and (blue > red + 60).sum() > 100

@@ -1,9 +1,9 @@
-// The surface of the snow: how fine it is, how steep parts rise, how the field joins the ground.
+// The surface that snow lifts: how fine it is, how far it is displaced, and that the field joins
+// it.
 #include "step06_accumulation/winter/surface/snow_surface.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -11,23 +11,6 @@
 #include "step05_collision/ground.hpp"
 
 using glm::vec3;
-
-// Where cells are wider than a metre, pieces of a metre show nothing more, and take long to make.
-TEST(SnowSurface, IsNoFinerThanItsCellsAskFor)
-{
-    Scene scene;
-    for (const vec3 place : {vec3(-200, 0, -200), vec3(-200, 0, 200), vec3(200, 0, 200)})
-        scene.vertices.push_back({place, {0, 1, 0}, {}, {}});
-    scene.indices = {0, 1, 2};
-    scene.submeshes.push_back({{}, 0, 3});
-    const float fine_enough = 4.7f;
-    const std::vector<SurfaceSubmesh> submeshes = make_snow_surface(scene, fine_enough);
-    EXPECT_TRUE(submeshes[0].coarse.empty());
-    // Halves of a square are halved until their longest edge is short enough: then it is at least
-    // 1 / sqrt(2) of that, and the area a quarter of its square.
-    const double smallest = fine_enough * fine_enough / 2 / 4;
-    EXPECT_LE(double(submeshes[0].fine.size()) / 3, 0.5 * 400 * 400 / smallest);
-}
 
 // A gentle slope and a steep one below it. Along the edge that they share both go up with the snow
 // alike, or one would see between them.
@@ -57,24 +40,6 @@ TEST(SnowSurface, IsDisplacedLessWhereItIsSteep)
     }
     EXPECT_EQ(on_edge, 2);
     EXPECT_EQ(at_the_bottom, 1);
-}
-
-// Squares of half a metre in the courtyard's room; in a valley as wide as 400 m there would be as
-// many as voxels.
-TEST(Ground, IsMadeOfAtMost64SquaresAlongAnEdge)
-{
-    for (const float width : {16.0f, 400.0f}) {
-        VoxelGrid grid{};
-        grid.resolution = 256;
-        grid.cell_size = width / 254;
-        grid.words.resize(256 * 256 * 256 / 32);
-        const int square = ground_square(grid);
-        EXPECT_EQ(square, width == 16 ? 7 : 4);
-        Scene scene;
-        scene.vertices.push_back({});  // not the empty scene, but one without a floor
-        const size_t along_edge = size_t((256 + square - 1) / square);
-        EXPECT_EQ(with_ground(scene, grid).indices.size(), 6 * along_edge * along_edge);
-    }
 }
 
 // Every corner of the ground along the edge of the grid is one of the field, too, and the other way
@@ -110,21 +75,4 @@ TEST(Field, JoinsTheGroundCornerByCorner)
     }
     EXPECT_EQ(ground, field);
     EXPECT_GT(ground.size(), 100u);
-}
-
-TEST(Field, FacesUp)
-{
-    VoxelGrid grid{};
-    grid.resolution = 32;
-    grid.cell_size = 0.5f;
-    for (const bool with_middle : {false, true}) {
-        const SurfaceSubmesh field = make_field(grid, with_middle);
-        for (const auto* corners : {&field.coarse, &field.bare}) {
-            for (size_t i = 0; i < corners->size(); i += 3) {
-                const vec3 a = (*corners)[i].vertex.position, b = (*corners)[i + 1].vertex.position,
-                           c = (*corners)[i + 2].vertex.position;
-                ASSERT_GE(glm::cross(b - a, c - a).y, 0);
-            }
-        }
-    }
 }
