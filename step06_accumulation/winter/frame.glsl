@@ -23,11 +23,11 @@ struct Frame {
     vec3 twilight;       // what is added to that where the sun sets
     float fine_enough;   // m, length of a triangle's edge that need not be divided
     vec3 sky;            // light of the whole sky on a surface that faces up
-    float unused;        // fills the row of four, as the others do
+    float wetness;       // of what lies open to the sky, 0 to 1
     vec3 ground;         // light from below on a surface that faces down
-    float unused_too;
+    float unused;        // fills the row of four, as the other does
     vec3 lamp;           // light of the lamp at a distance of 1 m
-    float unused_as_well;
+    float unused_too;
     vec3 lamp_position;  // m
     int colours;         // of flakes: 0 their own; else by speed, age or emitter
 };

@@ -142,7 +142,10 @@ const snow::Frame& FrameBlock::update(const Window& window, const Settings& sett
 void FrameBlock::light(const snow::Weather& weather, const Settings& settings, float seconds)
 {
     // A young moon follows the sun, 45 degrees behind, and takes over when that has set.
-    const bool night = settings.sun_height < 0;
+    const bool night = settings.sun_height < 0, rains = weather.kind == snow::rain_kind;
+    const float overcast = rains ? 1.0f : settings.overcast;
+    // Stones are wet after some seconds of rain.
+    frame_.wetness = rains ? smoothstep(0.0f, 20.0f, seconds) : 0.0f;
     const float height = night ? settings.sun_height + 45 : settings.sun_height;
     const vec3 brightness =
         night ? (1 - smoothstep(-9.0f, -3.0f, settings.sun_height)) * vec3(0.10f, 0.13f, 0.20f)
@@ -158,18 +161,25 @@ void FrameBlock::light(const snow::Weather& weather, const Settings& settings, f
     const float snowy_air = extinction(weather, seconds);
     const float layer = weather.emitters[1].centre.y;  // m, from the ground up to the clouds
     const float clear = std::exp(-0.2f * snowy_air * layer / std::max(std::sin(h), 0.1f));
-    frame_.sun = clear * brightness;
+    frame_.sun = (1 - overcast) * clear * brightness;
     frame_.extinction = settings.fog ? snowy_air : 0.0f;
     const vec3 lost =
         0.5f * (1 - clear) * std::max(std::sin(h), 0.0f) * brightness;  // the other half goes up
 
-    const Sky sky = sky_at(settings.sun_height);
+    // Clouds are grey, and brighter overhead than at the horizon.
+    Sky sky = sky_at(settings.sun_height);
+    const vec3 luminance(0.21f, 0.72f, 0.07f);  // of red, green and blue
+    const float grey = dot(0.5f * (sky.zenith + sky.horizon), luminance) +
+                       0.45f * std::max(std::sin(h), 0.0f) * dot(brightness, luminance);
+    sky.zenith = mix(sky.zenith, vec3(grey), overcast);
+    sky.horizon = mix(sky.horizon, vec3(0.5f * grey), overcast);
     frame_.zenith = sky.zenith + lost;
     frame_.horizon = sky.horizon + lost;
     frame_.sky = mix(frame_.zenith, frame_.horizon, 0.4f);
     // Where the sun has just set, or is about to, the sky glows.
     const float from_horizon = settings.sun_height + 1;
-    frame_.twilight = std::exp(-0.04f * from_horizon * from_horizon) * vec3(0.70f, 0.28f, 0.08f);
+    frame_.twilight =
+        (1 - overcast) * std::exp(-0.04f * from_horizon * from_horizon) * vec3(0.70f, 0.28f, 0.08f);
 
     // The ground sends back what falls on it, snow more than stone.
     const float white = smoothstep(0.0f, 0.02f, frame_.field_depth);

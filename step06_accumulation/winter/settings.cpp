@@ -46,6 +46,8 @@ std::vector<snow::Parameter> Settings::parameters()
                   "of the sun above the horizon", &sun_height},
                  {"sun_direction", "direction of the sun", "degrees", 0, 360,
                   "where the sun stands, from +z towards +x", &sun_direction},
+                 {"overcast", "overcast", "", 0, 1,
+                  "how much of the sky is clouds that hide the sun; rain makes it 1", &overcast},
                  {"soft_shadows", "soft shadows", "on/off", 0, 1, "along the edges of shadows",
                   &soft_shadows, 0, "", costly}}),
           under("Picture", {{"multisample", "smooth edges", "on/off", 0, 1,

@@ -20,6 +20,7 @@ struct Settings {
     // Light and air
     bool sky = true, shadow = true, soft_shadows = true, occlusion = true, fog = true, lamp = true;
     float sun_height = 20, sun_direction = 118;  // degrees
+    float overcast = 0;                          // 0 clear to 1: no sun comes through; rain is 1
     static constexpr float lamp_off_height = 4;  // of the sun: from there on up no lamp is on
     // Picture
     bool multisample = true;

@@ -10,7 +10,7 @@ layout(location = 1) in float age;      // s
 layout(location = 2) in vec3 velocity;  // m/s
 layout(location = 3) in float rest;     // s
 
-uniform int around;  // 1: draw it not here, but in the eight squares around that are as wide as the clouds
+uniform int around;  // 1: draw it not here but in the eight squares around, each as wide as the clouds
 
 out Flake
 {

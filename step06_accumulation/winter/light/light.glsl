@@ -64,6 +64,27 @@ vec3 ambient_light(vec3 normal, Spot spot)
     return mix(min(2.0 * seen.w, 1.0) * frame.ground, frame.sky, sky);
 }
 
+// How wet rain makes a surface, 0 to 1: it is dry where little of the sky is seen.
+float wetness_at(vec3 normal, Spot spot)
+{
+    return frame.wetness * smoothstep(0.1, 0.3, sky_seen_from(spot, normal).w);
+}
+
+// A dull colour when it is wet: darker, as some of the light that enters water does not get out again (Lekner
+// and Dorf, "Why some things are darker when wet", 1988).
+vec3 wet(vec3 colour, vec3 normal, Spot spot)
+{
+    return colour * mix(1.0, 0.55, wetness_at(normal, spot));
+}
+
+// The sky that a wet surface mirrors, more of it the flatter one looks (Schlick 1994; water's index is 1.33).
+vec3 mirrored_sky(vec3 normal, Spot spot)
+{
+    float facing = max(dot(normal, normalize(frame.eye - spot.position)), 0.0);
+    float mirrored = wetness_at(normal, spot) * max(normal.y, 0.0) * (0.02 + 0.98 * pow(1.0 - facing, 5.0));
+    return mirrored * mix(frame.horizon, frame.zenith, facing);
+}
+
 // Light of sun and lamp on a surface. sunlight: the fraction of the sun's light that gets here. around: how far
 // light gets within, so that the sun reaches a little beyond where it grazes.
 vec3 direct_light(vec3 normal, Spot spot, float sunlight, float around)

@@ -39,7 +39,7 @@ float dust(vec3 normal)
 void main()
 {
     vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);  // towards the viewer
-    vec3 surface = mix(with_picture(base_colour), snow_colour, dust(normal));
+    vec3 surface = mix(wet(with_picture(base_colour), normal, spot), snow_colour, dust(normal));
     vec3 radiance = lit(surface, normal, spot, sunlight_at(spot), 0.0) + frame.lamp_is_on * own_light;
     colour = vec4(air.rgb + air.a * radiance, 1.0);
 }

@@ -15,5 +15,5 @@ void main()
     const vec3 up = vec3(0.0, 1.0, 0.0);
     float cover = smoothstep(0.0, 0.02, frame.field_depth);
     vec3 light_here = frame.sky + direct_light(up, spot, sunlight_at(spot), light_within * cover);
-    colour = vec4(air.rgb + air.a * mix(base_colour, snow_colour, cover) * light_here, 1.0);
+    colour = vec4(air.rgb + air.a * mix(wet(base_colour, up, spot), snow_colour, cover) * light_here, 1.0);
 }

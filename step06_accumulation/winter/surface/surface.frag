@@ -77,7 +77,9 @@ void main()
     if (cover > 0.5) mirrored += glint(normal);
 #endif
     float sunlight = sunlight_at(spot);
-    vec3 radiance = lit(mix(surface, snow_colour, cover), normal, spot, sunlight, light_within * cover) +
-                    mirrored * sunlight * frame.sun + (1.0 - cover) * frame.lamp_is_on * own_light;
+    vec3 below = frame.lamp_is_on * own_light + (1.0 - beyond) * mirrored_sky(normal, spot);
+    surface = mix(wet(surface, normal, spot), snow_colour, cover);
+    vec3 radiance = lit(surface, normal, spot, sunlight, light_within * cover) +
+                    mirrored * sunlight * frame.sun + (1.0 - cover) * below;
     colour = vec4(air.rgb + air.a * radiance, 1.0);
 }
