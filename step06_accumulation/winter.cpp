@@ -164,8 +164,8 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
             glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
             if (settings.billboards) {
                 Program& flake = programs.flake.use(features);
-                flake.set("around", 1);  // beside the clouds the air is full of flakes, too
-                live.draw_around();
+                flake.set("around", 1);
+                if (settings.around) live.draw_around();
                 flake.set("around", 0);
             } else {
                 programs.sprite.use();

@@ -90,6 +90,7 @@ void open_window(const CommandLine& command)
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
     glutCreateWindow(name.c_str());
     if (command.fullscreen) glutFullScreen();
+    watch_display();
 
     const GLenum status = glewInit();
     // Without a GLX display (under Wayland) GLEW has still loaded OpenGL's own functions.

@@ -25,6 +25,12 @@ bool set_vsync(bool wait);
 // Names the window of the current context.
 void set_title(const char* title);
 
+// Has the program say so, in one line, if the display goes and ends it.
+void watch_display();
+
+// Is stderr a terminal, at which somebody may be waiting?
+bool is_watched();
+
 // Where a window that is closed takes its context along, calls `ask` instead of closing it.
 // Elsewhere it does nothing, and glutCloseFunc tells of the close button.
 void take_close_button(const std::function<void()>& ask);

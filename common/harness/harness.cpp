@@ -115,6 +115,7 @@ bool Harness::enough() const
 bool Harness::begin_frame()
 {
     if (closing_ || failed_ || enough() || controls_.restart) {
+        if (is_watched()) std::fputs("\r\033[K", stderr);
         report();
         return false;
     }
@@ -223,7 +224,7 @@ void Harness::swap_buffers()
     timer_.end_frame(std::chrono::duration<double, std::milli>(now - last_swap_).count(),
                      measuring() ? SIZE_MAX : 300);
     last_swap_ = now;
-    if (!command_.reproducible()) show_frame_time();
+    show_frame_time();
 }
 
 void Harness::save_frame()
@@ -246,13 +247,19 @@ void Harness::show_frame_time()
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - last_title_).count();
     if (seconds < 0.5) return;
+    last_title_ = now;
+    if (command_.reproducible()) {
+        if (is_watched())
+            std::fprintf(stderr, "\rframe %u of %u", unsigned(drawn_),
+                         *command_.frames + command_.warmup);
+        return;
+    }
     const double frames = double(drawn_ - drawn_at_last_title_);
     char title[128];
     std::snprintf(title, sizeof title, "%s %s   %.2f ms a frame, %.0f fps",
                   command_.lesson.name.c_str(), command_.variant.c_str(), 1000 * seconds / frames,
                   frames / seconds);
     set_title(title);
-    last_title_ = now;
     drawn_at_last_title_ = drawn_;
 }
 

@@ -4,6 +4,7 @@
 #ifdef _WIN32
 #include <GL/freeglut.h>
 #include <GL/wglew.h>
+#include <io.h>
 
 static std::function<void()> ask_for_the_end;
 static WNDPROC freeglut_procedure = nullptr;
@@ -26,6 +27,13 @@ void set_title(const char* title)
     glutSetWindowTitle(title);
 }
 
+void watch_display() {}
+
+bool is_watched()
+{
+    return _isatty(2) != 0;
+}
+
 // freeglut would delete the context while the frame is still being drawn.
 void take_close_button(const std::function<void()>& ask)
 {
@@ -38,7 +46,10 @@ void take_close_button(const std::function<void()>& ask)
 #else
 #include <GL/glxew.h>  // in a file of its own: X11 has a type called Window, too
 #include <X11/Xatom.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 bool set_vsync(bool wait)
@@ -59,6 +70,21 @@ void set_title(const char* title)
     XChangeProperty(display, window, XInternAtom(display, "_NET_WM_NAME", False),
                     XInternAtom(display, "UTF8_STRING", False), 8, PropModeReplace,
                     reinterpret_cast<const unsigned char*>(title), int(std::strlen(title)));
+}
+
+void watch_display()
+{
+    XSetIOErrorHandler([](Display*) -> int {
+        std::fputs("error: the display has gone, and with it all that was to be written after the "
+                   "last frame\n",
+                   stderr);
+        std::_Exit(1);
+    });
+}
+
+bool is_watched()
+{
+    return isatty(2) != 0;
 }
 
 void take_close_button(const std::function<void()>&) {}

@@ -19,6 +19,7 @@ std::vector<snow::Parameter> Settings::parameters()
           under("Flakes",
                 {{"billboards", "crystals", "on/off", 0, 1,
                   "flakes are crystals, drawn out along their way", &billboards},
+                 {"around", "around", "on/off", 0, 1, "in the air beside the clouds, too", &around},
                  {"splashes", "splashes", "on/off", 0, 1, "of drops that reach the ground",
                   &splashes},
                  {"blur", "out of focus", "on/off", 0, 1,

@@ -12,7 +12,7 @@ struct Settings {
     // Surface
     bool scene = true, tessellation = true, dusting = true, sparkle = true;
     // Flakes
-    bool billboards = true, splashes = true, blur = true, sorted = false;
+    bool billboards = true, around = true, splashes = true, blur = true, sorted = false;
     float colours = 0;  // 0 their own, 1 by speed, 2 by age, 3 by emitter
     // Wind
     bool wind_field = true, arrows = false;

@@ -1,5 +1,6 @@
 """What the programs write, and what is left when they are interrupted or short of memory."""
 
+import os
 import pathlib
 import resource
 import signal
@@ -91,3 +92,21 @@ def test_memory_that_is_short(programs, step):
 
     result = programs.run(step, *small(step), "--particles", 12_000_000, "--frames", 2, preexec_fn=limit_memory)
     assert fails_with_one_line(result, 1, "not enough memory", "--particles", "--voxels")
+
+
+def test_a_display_that_goes_is_told(programs, tmp_path):
+    """X ends all its programs: then the dump is lost, and the user should know."""
+    reader, writer = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "640x480x24"],
+                              pass_fds=[writer], stderr=subprocess.DEVNULL)
+    os.close(writer)
+    with os.fdopen(reader) as numbers:
+        display = f":{numbers.readline().strip()}"
+    program = subprocess.Popen(programs.command(STEP, *SMALL, "--dump", tmp_path / "flakes.csv", "--frames", 10**8),
+                               env={**os.environ, "DISPLAY": display}, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+    program.stdout.readline()
+    server.kill()
+    server.wait()
+    _, said = program.communicate(timeout=PATIENCE)
+    assert program.returncode == 1 and said.count("\n") == 1 and "display has gone" in said

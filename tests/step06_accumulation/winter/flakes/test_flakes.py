@@ -64,7 +64,7 @@ def test_brightness_does_not_depend_on_speed(draw):
     """What falls some pixels in a frame is a streak, fainter than what hardly moves, but in sum it sends
     as much light here, for its size. So the picture does not flash where a frame takes long."""
     shared = ["--particles", 100, "--set", "melt_time=0", "--set", "diameter_0=0.25",
-              "--set", "diameter_1=0.25", "--set", "sky=0", "--set", "fog=0", "--set", "scene=0",
+              "--set", "diameter_1=0.25", "--set", "sky=0", "--set", "fog=0", "--set", "scene=0", "--set", "around=0",
               "--set", "snowfall=0"]  # white ground would light them more the longer it snows
     light, area = [], []
     for count, speed in ((500, []), (40, ["--set", "gravity=-30", "--set", "speed_0=200",
