@@ -125,9 +125,8 @@ def test_the_winter_can_be_written_from_its_chapter(tmp_path):
     files = {path: read(path) for path in (tmp_path / WINTER).rglob("*") if path.suffix in SOURCES}
     named = None
     for stage in re.split(r"^### ", section(WINTER, "Build it"), flags=re.MULTILINE)[1:]:
-        command = re.search(r"^    (rm .*)", stage, re.MULTILINE)
-        if command:
-            subprocess.run(["bash", "-c", command[1]], cwd=tmp_path, check=True)
+        for command in re.findall(r"^    (rm .*)", stage, re.MULTILINE):
+            subprocess.run(["sh", "-c", command], cwd=tmp_path, check=True)
         to_write = {path for path in files if not path.exists()}
         for text, language, listing in re.findall(r"(.*?)^```(\w+)\n(.*?)^```", stage, re.DOTALL | re.MULTILINE):
             text = re.sub(r"^    .*", "", text, flags=re.MULTILINE)
