@@ -8,9 +8,9 @@
 
 class TriangleTexture {
 public:
-    // boxed: a box around every 64 triangles, in the order of the file, in which those of an object
-    // follow each other. Otherwise one box without ends around all. Throws std::runtime_error if
-    // the card cannot hold them.
+    // boxed: a box around every 64 triangles, in the order in which the scene holds them: by
+    // material, and within one as in the file. Otherwise one box without ends around all. Throws
+    // std::runtime_error if the card cannot hold them.
     TriangleTexture(const Scene& scene, bool boxed);
 
     // Hands them to the shaders (collide_triangles.glsl).

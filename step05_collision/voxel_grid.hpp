@@ -28,7 +28,7 @@ VoxelGrid place_grid(const Scene& scene, int resolution);
 
 // Marks every voxel that a triangle of the scene touches, by dividing space as an octree does: a
 // cube that no triangle touches is done with, any other is divided into eight, down to single
-// voxels. Says on stderr how far it is.
+// voxels.
 VoxelGrid voxelise(const Scene& scene, int resolution);
 
 // The grid as an R32UI 3D texture of resolution/32 x resolution x resolution words, bound to

@@ -108,7 +108,7 @@ int main(int argc, char** argv)
     const auto load_and_run = [&settings](Window& window) {
         const SolidScene solid(window);
         do {
-            const std::string& variant = window.options().variant;
+            const std::string variant = window.options().variant;  // the panel changes that
             if (variant == "winter") run_winter(window, solid, settings);
             if (variant == "cells") run(window, solid, settings);
             if (variant == "heightmap") run_heightmap(window, solid);

@@ -130,6 +130,7 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
         }
         glViewport(0, 0, window.size().x, window.size().y);
         hdr_target.begin(window.size(), settings.multisample, vec3(0.10f, 0.13f, 0.20f));
+        solid.bind();
         bind_texture(SHADOW_UNIT, GL_TEXTURE_2D, shadow_map.texture());
         bind_texture(SKY_VISIBILITY_UNIT, GL_TEXTURE_3D, sky_visibility);
         bind_texture(DEPTH_UNIT, GL_TEXTURE_3D, columns.depth());
@@ -163,10 +164,9 @@ void run_winter(Window& window, const SolidScene& solid, const Settings& setting
             glEnable(GL_BLEND);
             glDepthMask(GL_FALSE);  // flakes hide behind the scene, not behind each other
             if (settings.billboards) {
-                Program& flake = programs.flake.use(features);
-                flake.set("around", 1);
+                programs.flake.use(features).set("around", 1);
                 if (settings.around) live.draw_around();
-                flake.set("around", 0);
+                programs.flake.use(features).set("around", 0);
             } else {
                 programs.sprite.use();
                 programs.sprite.set("view", window.view());

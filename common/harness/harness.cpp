@@ -327,7 +327,7 @@ void Harness::press(unsigned char key)
 
 void Harness::on_special_key(int key, bool down, int x, int y)
 {
-    if (panel_->press_special_key(key, down, x, y)) return;
+    if (panel_->press_special_key(key, down, x, y) && down) return;
     const float held = down ? 1.0f : 0.0f;
     if (key == GLUT_KEY_LEFT) flying_.x = -held;
     if (key == GLUT_KEY_RIGHT) flying_.x = held;
@@ -344,7 +344,7 @@ void Harness::on_button(int button, int state, int x, int y)
     dragging_ = panning_ = false;
     if (show_panel_ && panel_->press_button(button, state, x, y)) return;
     if (state != GLUT_DOWN) return;
-    camera_.zoom(float(wheel_notches(button)));
+    if (wheel_notches(button) != 0) camera_.zoom(float(wheel_notches(button)));
     panning_ = button == GLUT_RIGHT_BUTTON || (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
     dragging_ = button == GLUT_LEFT_BUTTON || button == GLUT_RIGHT_BUTTON;
 }

@@ -18,7 +18,7 @@ struct CommandLine : Options {
     bool tour = false;              // fly it through the courtyard
     bool vsync = false, fullscreen = false;
     std::optional<unsigned> frames;  // to stop after
-    unsigned warmup = 0;             // frames before the first that counts; see harness.hpp
+    unsigned warmup = 0;             // frames before the first that counts; see harness.cpp
     bool realtime = false;  // steps follow the clock even when --frames, --dump ... are given
     bool benchmark = false;
     std::filesystem::path screenshot, dump, csv;

@@ -23,7 +23,7 @@ HeightMap::HeightMap(const SolidScene& solid, const SnowCover& cover)
     glViewport(0, 0, n, n);
     glEnable(GL_DEPTH_TEST);
     glClear(GL_DEPTH_BUFFER_BIT);
-    solid.mesh.draw();
+    SceneMesh(solid.obstacle()).draw();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 
     glBindTexture(GL_TEXTURE_BUFFER, lying_);

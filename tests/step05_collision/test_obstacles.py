@@ -29,7 +29,7 @@ def moved(text):
 
 
 @pytest.mark.parametrize("step, variant", [(STEP, "voxels"), (STEP, "triangles"),
-                                           ("step06_accumulation", "cells")])
+                                           ("step06_accumulation", "cells"), ("step06_accumulation", "heightmap")])
 def test_flakes_land_on_what_is_given_where_it_lies(programs, obj, step, variant):
     floor = obj("floor.obj", moved(scenes.text(scenes.FLOOR)))
     stage = obj("stage.obj", moved(STAGE))
@@ -58,7 +58,7 @@ def test_a_bad_one_is_refused(programs, obj, tmp_path, text, reason):
     assert fails_with_one_line(result, 1, path, reason)
 
 
-@pytest.mark.parametrize("step, variant", [(STEP, "voxels"), ("step06_accumulation", "cells")])
+@pytest.mark.parametrize("step, variant", [(STEP, "voxels"), ("step06_accumulation", "cells"), ("step06_accumulation", "heightmap")])
 def test_voxels_of_the_gpu_catch_the_same_flakes(programs, step, variant):
     cpu, gpu = (programs.flakes(step, *FAST, "--voxeliser", voxeliser, "--variant", variant)
                 for voxeliser in ("cpu", "gpu"))

@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr float least_upward = 0.1f;  // normal.y, as in scene.frag of step 6
+constexpr float least_upward = 0.1f;  // normal.y, as in whitened.glsl of step 6
 
 using Point = std::array<float, 3>;
 
@@ -122,7 +122,7 @@ std::vector<SurfaceSubmesh> make_snow_surface(const Scene& scene, float fine_eno
 SurfaceSubmesh make_field(const VoxelGrid& grid, bool with_middle)
 {
     constexpr float farthest = 1500;  // m
-    constexpr float margin = 1;       // m, of the ring in which snow becomes that of the field
+    constexpr float margin = 1;       // m, of the ring that joins the field to the scene
     constexpr float wider = 2;        // each other one than the one inside it
     const float half_size = 0.5f * grid.cell_size * float(grid.resolution);
     std::vector<float> knots{-half_size, half_size};  // m from the middle, along x and z
