@@ -18,7 +18,8 @@ inline constexpr unsigned SHADOW = 1,  // the shadow map
     BLUR = 32,                         // flakes close by are out of focus
     BLOOM = 64,                        // light around what is bright
     WIND_FIELD = 128,                  // the air flows around the scene
-    TESSELLATED = 256;                 // tessellation follows the vertex shader
+    TESSELLATED = 256,                 // tessellation follows the vertex shader
+    WET = 512;                         // rain, and what lies open to it
 
 // Those that are on.
 unsigned features_of(const Settings& settings, const snow::Weather& weather);

@@ -67,7 +67,11 @@ vec3 ambient_light(vec3 normal, Spot spot)
 // How wet rain makes a surface, 0 to 1: it is dry where little of the sky is seen.
 float wetness_at(vec3 normal, Spot spot)
 {
+#ifdef WET
     return frame.wetness * smoothstep(0.1, 0.3, sky_seen_from(spot, normal).w);
+#else
+    return 0.0;
+#endif
 }
 
 // A dull colour when it is wet: darker, as some of the light that enters water does not get out again (Lekner

@@ -158,19 +158,19 @@ SnowSurface::SnowSurface(const SolidScene& solid)
     : solid_(solid), vertices_(make_buffer()), indices_(make_buffer()), vao_(make_vertex_array()),
       on_bare_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/bare.vert"},
                 {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/bare.frag"}},
-               SHADOW | OCCLUSION | LAMP | DUSTING),
+               SHADOW | OCCLUSION | LAMP | DUSTING | WET),
       on_field_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/bare.vert"},
                  {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/field.frag"}},
-                SHADOW | LAMP),
+                SHADOW | LAMP | WET),
       on_snow_({{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface.vert"},
                 {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}},
-               SHADOW | OCCLUSION | LAMP | SPARKLE),
+               SHADOW | OCCLUSION | LAMP | SPARKLE | WET),
       on_snow_tessellated_(
           {{GL_VERTEX_SHADER, "step06_accumulation/winter/surface/surface.vert"},
            {GL_TESS_CONTROL_SHADER, "step06_accumulation/winter/surface/surface.tesc"},
            {GL_TESS_EVALUATION_SHADER, "step06_accumulation/winter/surface/surface.tese"},
            {GL_FRAGMENT_SHADER, "step06_accumulation/winter/surface/surface.frag"}},
-          SHADOW | OCCLUSION | LAMP | SPARKLE | TESSELLATED)
+          SHADOW | OCCLUSION | LAMP | SPARKLE | WET | TESSELLATED)
 {
     std::vector<SurfaceVertex> vertices;
     std::vector<uint32_t> indices;
