@@ -38,8 +38,8 @@ struct Weather {
     float melt_time;   // s a flake lies on a surface before it is gone
     float world_min;   // m, heights between which a flake is not lost
     float world_max;
-    float time_step;  // s
-    float lifetime;   // s in the air, mean; most reach the ground before
+    float time_step;   // s
+    float lifetime;    // s in the air, mean; most reach the ground before
     uint particles;    // in the pool: the first half is of emitter 0, the rest of emitter 1
     uint seed;
     float variation;    // relative spread of speed and diameter from flake to flake
@@ -124,6 +124,12 @@ SNOW_INLINE float part_alive(float seconds, SNOW_IN(Weather) weather)
 
 // ---- Birth.
 
+// Does wind blow flakes out of the air below their clouds? Not where that repeats: see wrapped.
+SNOW_INLINE bool wind_takes_flakes(SNOW_IN(Weather) weather)
+{
+    return weather.follow == 0u && (weather.wind.x != 0.0f || weather.wind.z != 0.0f);
+}
+
 // A flake at a random position in its cloud, drifting with the air. In wind there are flakes in the
 // air that comes in, too, at any height: as many more as that is more than what falls out of the
 // cloud. So the air above the scene is as full of flakes in any wind.
@@ -137,7 +143,7 @@ SNOW_INLINE Particle born(uint index, uint tick, SNOW_IN(Weather) weather)
     p.age = 0.0f;
     p.velocity = weather.wind;
     p.rest = 0.0f;
-    if (weather.follow != 0u) return p;  // what leaves that air comes in again, see wrapped
+    if (!wind_takes_flakes(weather)) return p;
 
     float speed = terminal_speed(index, weather), height = cloud.centre.y;
     float above = 4.0f * cloud.half_size.x * cloud.half_size.z * speed;  // m3/s, as are the others
@@ -286,12 +292,6 @@ SNOW_INLINE Particle wrapped(Particle p, uint index, SNOW_IN(Weather) weather)
 SNOW_INLINE float melt_left(Particle p, SNOW_IN(Weather) weather)
 {
     return weather.melt_time - p.rest;
-}
-
-// Does wind blow flakes out of the air below their clouds?
-SNOW_INLINE bool wind_takes_flakes(SNOW_IN(Weather) weather)
-{
-    return weather.follow == 0u && (weather.wind.x != 0.0f || weather.wind.z != 0.0f);
 }
 
 // The rest of a flake's lifetime (s), which the time it lies does not count towards, or of its way

@@ -8,11 +8,14 @@
 Image read_picture(const std::filesystem::path& path)
 {
     stbi_set_flip_vertically_on_load(1);  // OpenGL's first row is the lowest
+    const std::string name = path.string();
     Image picture{0, 0, 0, {nullptr, stbi_image_free}};
-    picture.pixels.reset(
-        stbi_load(path.string().c_str(), &picture.width, &picture.height, &picture.channels, 4));
-    if (picture.pixels && picture.width <= 8192 && picture.height <= 8192) return picture;
-    throw std::runtime_error("cannot use " + path.string() +
+    int &width = picture.width, &height = picture.height, &channels = picture.channels;
+    // Its size is asked first: a small file can take gigabytes.
+    if (stbi_info(name.c_str(), &width, &height, &channels) && width <= 8192 && height <= 8192)
+        picture.pixels.reset(stbi_load(name.c_str(), &width, &height, &channels, 4));
+    if (picture.pixels) return picture;
+    throw std::runtime_error("cannot use " + name +
                              ": missing, broken, larger than 8192 x 8192 pixels, or no PNG, JPEG "
                              "or TGA (save it anew)");
 }

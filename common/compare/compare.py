@@ -183,7 +183,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=as_it_is)
     add = parser.add_argument
     add("--steps", type=steps, metavar="N,N", default=steps("1,2,3,4,5,6:cells,6:heightmap,6:winter"),
-        help="steps to compare (all, and step 6 in both variants)")
+        help="steps to compare (all, and step 6 in all variants)")
     add("--variants", type=steps, metavar="N:NAME,N:NAME", default=[], help="variants besides")
     add("--counts", metavar="N,N", help="numbers of flakes (1000,10000,100000)",
         type=lambda text: [int(count) for count in text.split(",")])

@@ -56,7 +56,7 @@ static void check_opengl(const Lesson& lesson)
                                  there_is + ": try an earlier step");
     };
     const std::string version = gl_string(GL_VERSION);  // "4.5 (Compatibility Profile) Mesa ..."
-    if (std::stod(version) < lesson.minimum_gl - 0.01)
+    if (std::strtod(version.c_str(), nullptr) < lesson.minimum_gl - 0.01)
         need("OpenGL " + std::to_string(lesson.minimum_gl).substr(0, 3), version);
     if (is_core_profile()) {
         throw std::runtime_error(lesson.name +

@@ -271,8 +271,10 @@ void Harness::report()
         print_summary(timer_.frames());
         if (!enough()) std::puts("benchmark: cut short");
     }
-    const std::string csv = csv_of(timer_.frames(), command_, size(), renderer_name());
-    if (!command_.csv.empty()) attempt([&] { write_file(command_.csv, csv); });
+    if (command_.csv.empty()) return;
+    attempt([&] {
+        write_file(command_.csv, csv_of(timer_.frames(), command_, size(), renderer_name()));
+    });
 }
 
 void Harness::stand_on(const Terrain& terrain)
@@ -327,7 +329,7 @@ void Harness::press(unsigned char key)
 
 void Harness::on_special_key(int key, bool down, int x, int y)
 {
-    if (panel_->press_special_key(key, down, x, y) && down) return;
+    if (panel_->press_special_key(key, down, x, y) && show_panel_ && down) return;
     const float held = down ? 1.0f : 0.0f;
     if (key == GLUT_KEY_LEFT) flying_.x = -held;
     if (key == GLUT_KEY_RIGHT) flying_.x = held;

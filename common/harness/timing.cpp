@@ -73,7 +73,8 @@ void FrameTimer::collect(bool wait)
             GLuint64 begin = 0, end = 0;  // ns
             glGetQueryObjectui64v(stage.queries[0], GL_QUERY_RESULT, &begin);
             glGetQueryObjectui64v(stage.queries[1], GL_QUERY_RESULT, &end);
-            stage.gpu_ms = double(end - begin) * 1e-6;
+            // Some cards count with fewer than 64 bits, and begin anew after a minute.
+            if (end >= begin) stage.gpu_ms = double(end - begin) * 1e-6;
             glDeleteQueries(2, stage.queries);
             stage.queries[0] = 0;
         }

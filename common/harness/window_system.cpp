@@ -5,6 +5,7 @@
 #include <GL/freeglut.h>
 #include <GL/wglew.h>
 #include <io.h>
+#define isatty _isatty
 
 static std::function<void()> ask_for_the_end;
 static WNDPROC freeglut_procedure = nullptr;
@@ -28,11 +29,6 @@ void set_title(const char* title)
 }
 
 void watch_display() {}
-
-bool is_watched()
-{
-    return _isatty(2) != 0;
-}
 
 // freeglut would delete the context while the frame is still being drawn.
 void take_close_button(const std::function<void()>& ask)
@@ -82,11 +78,11 @@ void watch_display()
     });
 }
 
+void take_close_button(const std::function<void()>&) {}
+
+#endif
+
 bool is_watched()
 {
     return isatty(2) != 0;
 }
-
-void take_close_button(const std::function<void()>&) {}
-
-#endif

@@ -6,11 +6,10 @@ HeightMap::HeightMap(const SolidScene& solid, const SnowCover& cover)
     : cover_(cover), resolution_(solid.grid.resolution),
       settle_({{GL_COMPUTE_SHADER, "step06_accumulation/heightmap/settle.comp"}})
 {
-    const int n = resolution_;
     glBindTexture(GL_TEXTURE_2D, heights_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, n, n, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                 nullptr);
-    check_memory("the height map", 4.0 * n * n);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, resolution_, resolution_, 0,
+                 GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+    check_memory("the height map", 4.0 * resolution_ * resolution_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     const GlObject framebuffer = make_framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -20,7 +19,7 @@ HeightMap::HeightMap(const SolidScene& solid, const SnowCover& cover)
     const Program from_above({{GL_VERTEX_SHADER, "step06_accumulation/heightmap/from_above.vert"}});
     from_above.use();
     solid.bind();
-    glViewport(0, 0, n, n);
+    glViewport(0, 0, resolution_, resolution_);
     glEnable(GL_DEPTH_TEST);
     glClear(GL_DEPTH_BUFFER_BIT);
     SceneMesh(solid.obstacle()).draw();
